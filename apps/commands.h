@@ -22,6 +22,7 @@ void add_list(CLI::App& app, int& exit_code);
 void add_generate(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
 void add_view(CLI::App& app, int& exit_code);
+void add_play(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);

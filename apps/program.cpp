@@ -157,6 +157,7 @@ int run(int argc, char** argv) {
   ar3d::add_generate(app, exit_code);
   ar3d::add_draw(app, exit_code);
   ar3d::add_view(app, exit_code);
+  ar3d::add_play(app, exit_code);
   ar3d::add_verify(app, exit_code);
   ar3d::add_study(app, exit_code);
   ar3d::add_check(app, exit_code);

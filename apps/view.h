@@ -26,9 +26,10 @@ std::uint64_t weight_of(const DrawingJsonlReader::Line& line);
 /// The algorithm of that name, or null: drawings may be of others, too.
 const Algorithm* known_algorithm(const std::string& name);
 
-/// Returns what a page says of a drawing, judged on the graph that it draws against the guarantee
-/// of `algorithm`; null: nothing is judged.
-PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm);
+/// Returns what a page says of a drawing, judged on the graph `given` (null: the one that it
+/// claims) against the guarantee of `algorithm`; null: nothing is judged.
+PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm,
+                         const Graph* given = nullptr);
 
 /// Adds the drawing format that needs more than formats/ may include: the viewer's page, which
 /// judges what it shows. To be called once, before the verbs are.

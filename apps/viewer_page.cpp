@@ -2,7 +2,6 @@
 // Python package.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,56 +11,13 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/verify/certificate.h"
 #include "batches.h"
 #include "view.h"
 
 namespace ar3d {
-Graph claimed_graph(const Drawing& drawing) {
-  std::vector<Edge> edges;
-  edges.reserve(drawing.num_edges());
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) edges.push_back(drawing.edge(e));
-  return Graph(drawing.num_vertices(), std::move(edges));
-}
-
 std::uint64_t weight_of(const DrawingJsonlReader::Line& line) {
   const auto* drawing = std::get_if<Drawing>(&line);
   return drawing == nullptr ? 0 : std::uint64_t{drawing->num_vertices()} + drawing->num_edges();
-}
-
-const Algorithm* known_algorithm(const std::string& name) {
-  const auto found = std::ranges::find(algorithms(), name, &Algorithm::name);
-  return found == algorithms().end() ? nullptr : &*found;
-}
-
-PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm) {
-  PageVerdict verdict;
-  if (algorithm == nullptr) {
-    verdict.text = "no guarantee is known of this algorithm";
-    return verdict;
-  }
-  std::optional<Graph> graph;
-  try {
-    graph = claimed_graph(drawing);
-  } catch (const InputError&) {
-    verdict.text = "the edges are not those of a simple graph";
-    return verdict;
-  }
-  const Certificate certificate = certify(*graph, drawing, algorithm->guarantee);
-  for (const Violation& violation : certificate.violations) {
-    verdict.violations.push_back({to_string(violation.kind), violation.message, violation.vertices,
-                                  violation.edges, violation.points});
-  }
-  if (certificate.measured && !certificate.violated()) {
-    verdict.text = "made in a real type, so nothing is proved; ar3d verify measures what it misses";
-    return verdict;
-  }
-  verdict.kind = certificate.valid() ? PageVerdict::PageJudgement::certified
-                                     : PageVerdict::PageJudgement::violated;
-  verdict.text =
-      fmt::format("judged in exact integers against the guarantee of {}, on the edges drawn{}",
-                  algorithm->name, certificate.complete ? "" : "; not all violations are listed");
-  return verdict;
 }
 
 void write_viewer_page(const NextDrawing& next, const std::string& path,

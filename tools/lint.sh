@@ -17,7 +17,7 @@ lint() (
 # eslint over the viewer's modules and the .mjs files of the tree, or over those named.
 lint_scripts() {
   local scripts
-  scripts=$(git ls-files -- "${@:-.}" | grep -E '^(formats/drawings/viewer|analysis/page)/[a-z]+\.js$|\.mjs$') || return 0
+  scripts=$(git ls-files -- "${@:-.}" | grep -E '^(formats/drawings/viewer|apps/play|analysis/page)/[a-z]+\.js$|\.mjs$') || return 0
   tests/browser/run --install || { echo "ar3d: the scripts are not looked at: no eslint" >&2; return 1; }
   tests/browser/node_modules/.bin/eslint -c tests/browser/eslint.config.mjs --max-warnings 0 $scripts
 }

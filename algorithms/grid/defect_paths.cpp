@@ -41,8 +41,10 @@ DefectPaths::~DefectPaths() {
 
 std::span<const std::size_t> DefectPaths::defects_at(Place x) const {
   const auto x_of = [&](std::size_t d) { return defects_[d].x; };
-  return {std::ranges::lower_bound(by_x_, x, {}, x_of),
-          std::ranges::upper_bound(by_x_, x, {}, x_of)};
+  const auto first = std::ranges::lower_bound(by_x_, x, {}, x_of) - by_x_.begin();
+  const auto last = std::ranges::upper_bound(by_x_, x, {}, x_of) - by_x_.begin();
+  return std::span(by_x_).subspan(static_cast<std::size_t>(first),
+                                  static_cast<std::size_t>(last - first));
 }
 
 /// Every step of a path waits for the memory, so some paths are followed in turns; what one of them

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ar3d/formats/drawings/edge_roles.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/guarantee.h"
 
@@ -39,6 +40,7 @@ struct PageEntry {
   std::string about;          ///< JSON, without a '<'
   std::string geometry = {};  ///< packed_geometry.h; empty: not drawn
   std::uint64_t points = 0;   ///< vertices and bends
+  Point low = {};             ///< corner of the box, from which the geometry counts
 };
 
 /// `guarantee` gives the theorem's box; it may be missing. Safe on any thread.
@@ -46,8 +48,14 @@ struct PageEntry {
 /// kMaxPageExtent.
 PageEntry page_entry(const std::string& title, const Drawing& drawing, const Guarantee* guarantee,
                      const PageVerdict& verdict);
+/// The same without the geometry, for who has its numbers some other way (geometry_numbers).
+PageEntry page_facts(const std::string& title, const Drawing& drawing, const EdgeRoles& roles,
+                     const Guarantee* guarantee, const PageVerdict& verdict);
 /// A graph that could not be drawn: the page says why in its place.
 PageEntry page_entry(const std::string& title, std::uint64_t n, const std::string& error);
+
+/// @throws InputError "TITLE: …" if those are more than kMaxPagePoints.
+void require_page_points(std::uint64_t points, const std::string& title);
 
 /// Returns the hashes of the scripts of such a page, as a content security policy names them: a page
 /// that shows it in a frame has to allow them.

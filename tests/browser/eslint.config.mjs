@@ -1,8 +1,9 @@
 // What ./run-tests --lint asks of the scripts: in the viewer every name is declared in its module or imported.
 const browser = ["Blob", "DecompressionStream", "HTMLButtonElement", "HTMLCanvasElement", "HTMLInputElement", "HTMLSelectElement",
-  "Response", "THREE", "URL", "addEventListener", "atob", "cancelAnimationFrame", "clearTimeout", "devicePixelRatio", "document",
+  "DOMParser", "HTMLTextAreaElement", "Option", "Response", "THREE", "TextDecoder", "TextEncoder", "URL", "URLSearchParams", "WebAssembly", "Worker",
+  "ar3dCore", "history", "location", "navigator", "self", "addEventListener", "atob", "cancelAnimationFrame", "clearTimeout", "devicePixelRatio", "document",
   "getComputedStyle", "getSelection", "innerHeight", "innerWidth", "matchMedia", "performance", "requestAnimationFrame", "scrollTo", "setTimeout", "window"];
-const node = ["Buffer", "console", "process", "structuredClone"];
+const node = ["Buffer", "ClipboardEvent", "DataTransfer", "DragEvent", "File", "setInterval", "console", "process", "structuredClone"];
 const known = names => Object.fromEntries(names.map(name => [name, "readonly"]));
 
 const rules = {
@@ -12,7 +13,7 @@ const rules = {
 
 export default [
   {
-    files: ["formats/drawings/viewer/*.js"],
+    files: ["formats/drawings/viewer/*.js", "apps/play/*.js"],
     languageOptions: {globals: known(browser)},
     rules: {
       ...rules, "consistent-return": "error", "complexity": ["error", 15], "max-depth": ["error", 3],

@@ -47,21 +47,25 @@ export function pixelsPerUnit(depth) {
   return view.height / (isPerspective() ? 2 * depth * kHalfTangent : heightSeen());
 }
 
-/// What the open controls take: pixels at the side, or below.
+/// Pixels that the open controls take: at the right, at the left (apps/play), or below.
 function roomOfControls() {
-  const isOpen = !byId("panel").hidden, isWide = innerWidth > kNarrow;
-  return {side: isOpen && isWide ? 280 : 0, below: isOpen && !isWide};
+  const isWide = innerWidth > kNarrow, [panel, source] = ["panel", "source"].map(id => byId(id)).map(controls => ({
+    width: controls && !controls.hidden ? controls.offsetWidth + 16 : 0,
+    height: controls && !controls.hidden ? controls.offsetHeight : 0,
+  }));
+  if (!isWide) return {right: 0, left: 0, below: Math.max(panel.height, source.height)};
+  return {right: panel.width, left: source.width, below: 0};
 }
 
 export function shapeCameras() {
   view.height = stage.clientHeight;
-  const width = innerWidth, height = innerHeight, {side, below} = roomOfControls();
-  const lift = below ? Math.min(0.23 * height, byId("panel").offsetHeight / 2) : 0;
+  const width = innerWidth, height = innerHeight, {right, left, below} = roomOfControls();
+  const lift = Math.min(0.23 * height, below / 2);
   cameras.perspective.aspect = width / height;
   const half = cameras.orthographic.top * width / height;
   Object.assign(cameras.orthographic, {left: -half, right: half});
   for (const camera of Object.values(cameras)) {
-    camera.setViewOffset(width, height, side / 2, lift, width, height);
+    camera.setViewOffset(width, height, (right - left) / 2, lift, width, height);
     camera.updateProjectionMatrix();
   }
 }
@@ -116,9 +120,9 @@ function pointsToHold(size) {
 
 /// Shares of a distance that the camera sees to the side and upwards, beside the controls and with a rim.
 function tangentsSeen() {
-  const {side, below} = roomOfControls(), lost = below ? 0.44 * innerHeight : 0;
+  const {right, left, below} = roomOfControls(), lost = below ? 0.44 * innerHeight : 0;
   const perPixel = 0.92 * kHalfTangent / innerHeight;
-  return {x: perPixel * (innerWidth - side - 20), y: perPixel * (innerHeight - lost - 110)};
+  return {x: perPixel * (innerWidth - right - left - 20), y: perPixel * (innerHeight - lost - 110)};
 }
 
 /// A view from a direction in which the drawing, or a box about the origin, just fits beside the controls.

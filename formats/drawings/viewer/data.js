@@ -3,7 +3,7 @@ import {byId, view} from "./state.js";
 
 export const factsOfPage = page => JSON.parse(byId("about-" + page).textContent);
 
-function bytesOfBase64(text) {
+export function bytesOfBase64(text) {
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
   const kPiece = 1 << 22;
   const padding = text.endsWith("==") ? 2 : text.endsWith("=") ? 1 : 0;
@@ -15,12 +15,12 @@ function bytesOfBase64(text) {
   return bytes;
 }
 
-async function inflated(bytes) {
+export async function inflated(bytes) {
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/// Reads the numbers of packed_geometry.cpp one after the other.
+/// Reads the numbers of geometry_numbers.cpp one after the other.
 class NumberReader {
   constructor(bytes) {
     this.bytes = bytes;
@@ -59,7 +59,7 @@ function emptyDrawing(facts) {
   };
 }
 
-function decoded(facts, bytes) {
+export function decoded(facts, bytes) {
   const drawing = emptyDrawing(facts), numbers = new NumberReader(bytes);
   let x = 0, y = 0, z = 0;
   for (let v = 0; v < drawing.n; ++v) {

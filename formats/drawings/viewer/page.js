@@ -66,13 +66,14 @@ function showNothing({about: {n, error}}) {
 async function showDrawing(page) {
   tellProblem("");
   view.page = page;
-  view.settled = 0;
   byId("which").value = page;
   const drawing = await loadDrawing(page);
-  if (view.page !== page) return;
+  if (view.page === page) await showLoaded(drawing);
+}
+export async function showLoaded(drawing) {
   forgetBudget();
-  Object.assign(view, {drawing, fitHeight: 0, selected: null, violation: -1, steppedVertex: 0, grown: drawing.n,
-    followed: null});
+  Object.assign(view, {drawing, settled: 0, fitHeight: 0, selected: null, violation: -1, followed: null,
+    steppedVertex: 0, grown: drawing.n});
   byId("selection").hidden = true;
   byId("panel").inert = !drawing.n;
   fillHeader(drawing);
@@ -116,13 +117,10 @@ function start(context) {
   shapeCameras();
 }
 
-async function run() {
+/// Starts the viewer and waits for `showFirst`, which shows the first drawing; or says why there is no picture.
+export async function startViewer(showFirst) {
   if (innerWidth <= 700) foldPanel(true);
   applyTheme();
-  if (!pageCount) {
-    tellProblem("There is no drawing in this page.");
-    return;
-  }
   const context = webGlContext();
   if (!context) {
     tellProblem(kNoWebGl);
@@ -130,13 +128,24 @@ async function run() {
   }
   try {
     start(context);
-    fillPages();
+    view.renderer.clear();
     listen();
-    await showDrawing(Math.min(pageCount - 1, Number(document.body.dataset.page) || 0));
+    await showFirst();
     view.ready = performance.now();
   } catch (error) {
     tellProblem(`The drawing cannot be shown: ${error.message}`);
   }
+}
+/// Shows the drawings that the page holds.
+export function showPages() {
+  if (!pageCount) {
+    tellProblem("There is no drawing in this page.");
+    return;
+  }
+  startViewer(() => {
+    fillPages();
+    return showDrawing(Math.min(pageCount - 1, Number(document.body.dataset.page) || 0));
+  });
 }
 
 function foldPanel(isHidden = !byId("panel").hidden) {
@@ -235,6 +244,7 @@ function listenToPointer() {
 function isControlsKey({target, key}) {
   if (key === "Escape") return false;
   return target instanceof HTMLInputElement || target instanceof HTMLSelectElement ||
+    target instanceof HTMLTextAreaElement ||
     (target instanceof HTMLButtonElement && key === " ");
 }
 function takeKey(event) {
@@ -311,4 +321,3 @@ window.ar3d = {
     return {calls, lines, points, triangles, pixels: stage.width * stage.height};
   },
 };
-run();

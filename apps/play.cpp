@@ -1,0 +1,81 @@
+// `ar3d play`: the page that draws and proves in a browser (apps/play), which tools/playground makes and the package installs.
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+#include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
+#include "ar3d/base/say.h"
+#include "commands.h"
+#include "outputs.h"
+
+namespace ar3d {
+namespace {
+
+struct PlayArguments {
+  std::string output;
+  bool force = false;
+};
+
+/// Where it is installed, or built in a checkout. @throws InputError that says how to get it.
+std::filesystem::path installed_page() {
+  std::error_code error;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (const char* place : {"../share/ar3d/play.html", "../../playground/play.html"}) {
+    const auto page = (folder / place).lexically_normal();
+    if (std::filesystem::is_regular_file(page, error)) return page;
+  }
+  throw InputError(
+      "there is no play.html: Debian's package ar3d has it, and in a checkout `tools/playground "
+      "play.html` makes it");
+}
+
+/// Hands this process over to the desktop's opener of pages, if there is a desktop.
+void open_in_browser(const std::string& page) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  std::fflush(stdout);
+  ::execlp("xdg-open", "xdg-open", page.c_str(), static_cast<char*>(nullptr));
+}
+
+int play(const PlayArguments& arguments) {
+  const std::string page = installed_page().string();
+  if (arguments.output.empty()) {
+    say("file://{}\n", page);
+    open_in_browser(page);
+    return kPass;
+  }
+  refuse_unsafe_outputs({.inputs = {page},
+                         .outputs = {},
+                         .page = arguments.output,
+                         .page_is = "<meta name=\"generator\" content=\"ar3d play\">",
+                         .force = arguments.force,
+                         .streams = false});
+  std::ifstream in(page, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  write_file_atomically(arguments.output, text);
+  say("wrote {}\n", arguments.output);
+  return kPass;
+}
+
+}  // namespace
+
+void add_play(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand(
+      "play", "Names and opens the page that draws and proves graphs in a browser, or writes it");
+  const auto arguments = std::make_shared<PlayArguments>();
+  verb->add_option("-o,--output", arguments->output,
+                   "write the page to this file instead of opening it");
+  add_force(*verb, arguments->force);
+  verb->footer(
+      "The page is one file. It works from disk, without a network, and sends nothing.\n"
+      "Example: ar3d play -o play.html");
+  verb->callback([arguments, &exit_code] { exit_code = play(*arguments); });
+}
+
+}  // namespace ar3d

@@ -1,0 +1,4 @@
+// The page of `ar3d view`: shows what it holds.
+import {showPages} from "./page.js";
+
+showPages();
