@@ -2,10 +2,8 @@
 // Many edges are dealt to bins first, so that each sort stays within the caches.
 #include "ar3d/model/canonical_edges.h"
 
-#include <algorithm>
 #include <array>
 #include <functional>
-#include <iterator>
 
 #include "ar3d/base/parallel.h"
 
@@ -106,16 +104,8 @@ Edge turned(Edge edge) { return {std::min(edge.u, edge.v), std::max(edge.u, edge
 Vertex small_end(Edge edge) { return std::min(edge.u, edge.v); }
 
 /// Sorts the edges at one smaller end by the larger one. @return true if one stands twice.
-bool sort_row(Edge* begin, Edge* end) {
-  constexpr std::ptrdiff_t kShort = 16;
-  const auto before = [](Edge a, Edge b) { return a.v < b.v; };
-  if (end - begin > kShort) {
-    std::sort(begin, end, before);
-  } else {
-    for (Edge* i = begin; i != end; ++i) {
-      for (Edge* j = i; j != begin && before(*j, *std::prev(j)); --j) std::swap(*j, *std::prev(j));
-    }
-  }
+bool sort_edges_of_row(Edge* begin, Edge* end) {
+  sort_row(begin, end, [](Edge a, Edge b) { return a.v < b.v; });
   return std::adjacent_find(begin, end) != end;
 }
 
@@ -132,7 +122,7 @@ std::uint64_t sort_by_counting(std::span<const Edge> from, Edge* to, std::uint64
   Edge* row = to;
   for (std::uint64_t u = 0; u < counts.size(); ++u) {
     Edge* const end = to + counts[u];
-    if (end - row > 1 && sort_row(row, end)) twice = std::min(twice, u);
+    if (end - row > 1 && sort_edges_of_row(row, end)) twice = std::min(twice, u);
     row = end;
   }
   return first + twice;

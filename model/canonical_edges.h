@@ -1,12 +1,23 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <vector>
 
 #include "ar3d/model/graph.h"
 
 namespace ar3d {
+
+/// Sorts a few items, most of them in place already.
+template <class Iterator, class Before>
+void sort_row(Iterator begin, Iterator end, Before before) {
+  if (end - begin > 16) return std::sort(begin, end, before);
+  for (auto i = begin; i != end; ++i) {
+    for (auto j = i; j != begin && before(*j, *std::prev(j)); --j) std::iter_swap(j, std::prev(j));
+  }
+}
 
 /// True if every edge (u, v) has u < v and the edges ascend by (u, v), none standing twice.
 /// O(m) time.

@@ -2,9 +2,10 @@
 // counting and then read in step.
 #include "ar3d/formats/graphs/arc_collector.h"
 
-#include <iterator>
 #include <numeric>
 #include <tuple>
+
+#include "ar3d/model/canonical_edges.h"
 
 namespace ar3d {
 namespace {
@@ -31,15 +32,6 @@ void group_by(std::uint64_t n, Arcs& arcs, End key) {
     result[place[arcs[i].*key]++] = arcs[i];
   }
   arcs.swap(result);
-}
-
-/// Sorts a few items, most of them in place already.
-template <class Iterator, class Before>
-void sort_row(Iterator begin, Iterator end, Before before) {
-  if (end - begin > 16) return std::sort(begin, end, before);
-  for (auto i = begin; i != end; ++i) {
-    for (auto j = i; j != begin && before(*j, *std::prev(j)); --j) std::iter_swap(j, std::prev(j));
-  }
 }
 
 /// Sorts arcs by the end `key`, then by `before`, which compares arcs with the same such end.

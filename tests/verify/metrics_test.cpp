@@ -273,6 +273,8 @@ TEST(ClosestPair, ComparesExactlyWhereDoublesCannot) {
   draft.vertices = {{1 - far, 0, 0}, {0, 0, 0}, {far, 0, 0}};
   pair = verify::closest_pair(draft.drawing());
   EXPECT_EQ(pair->u + pair->v, 1u);
+  draft.vertices = {{-far, -far, -far}, {far, far, far}, {far, far, -far}};  // 2^62 apart and more
+  ASSERT_NO_FATAL_FAILURE(expect_closest(draft));
 }
 
 }  // namespace

@@ -24,8 +24,10 @@ void sort_by_digit(const std::vector<Item>& from, unsigned shift, std::vector<It
   for (const Item& item : from) to[place[(item.key >> shift) & kDigit]++] = item;
 }
 
+}  // namespace
+
 template <class Item>
-void sort_items(std::vector<Item>& items, std::vector<Item>& buffer) {
+void sort_by_key(std::vector<Item>& items, std::vector<Item>& buffer) {
   constexpr std::size_t kFew = 256;  // below, counting the digits costs more than comparing
   if (items.size() < kFew) {
     std::stable_sort(items.begin(), items.end(),
@@ -42,14 +44,7 @@ void sort_items(std::vector<Item>& items, std::vector<Item>& buffer) {
   }
 }
 
-}  // namespace
-
-void sort_by_key(std::vector<Keyed>& items, std::vector<Keyed>& buffer) {
-  sort_items(items, buffer);
-}
-
-void sort_by_key(std::vector<ShortKeyed>& items, std::vector<ShortKeyed>& buffer) {
-  sort_items(items, buffer);
-}
+template void sort_by_key(std::vector<Keyed>& items, std::vector<Keyed>& buffer);
+template void sort_by_key(std::vector<ShortKeyed>& items, std::vector<ShortKeyed>& buffer);
 
 }  // namespace ar3d::verify

@@ -22,12 +22,16 @@ using Wide = boost::multiprecision::checked_int256_t;
 using Place = geometry::model::point<std::int64_t, 3, geometry::cs::cartesian>;
 using Item = std::pair<Place, Vertex>;
 
-/// The places that may be as near to p as `squared`; coordinates stay below 2^62.
+/// The places that may be as near to p as `squared`; beyond 2^61, where reach() ends, all. Sums are
+/// below 2^63.
 geometry::model::box<Place> box_around(Point p, double squared,
                                        const std::array<double, 3>& inverse) {
-  const Vector by{reach(squared, inverse[0]), reach(squared, inverse[1]),
-                  reach(squared, inverse[2])};
-  return {{p.x - by.x, p.y - by.y, p.z - by.z}, {p.x + by.x, p.y + by.y, p.z + by.z}};
+  const auto far = [&](std::size_t axis) {
+    const std::int64_t near = reach(squared, inverse[axis]);
+    return near > kMaxCoordinate ? 2 * kMaxCoordinate : near;
+  };
+  const std::int64_t x = far(0), y = far(1), z = far(2);
+  return {{p.x - x, p.y - y, p.z - z}, {p.x + x, p.y + y, p.z + z}};
 }
 
 }  // namespace
