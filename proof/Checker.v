@@ -79,58 +79,101 @@ Definition pair_ok (G : gram) (k : promise) (s t : segment) : bool :=
 
 (** ** All pairs that can have a point in common, by halving space
 
-    A plan is advice that nobody needs to trust. [Cut]: a point is on one side of the plane
-    h . x = c, and of two segments through it both reach that side. [Part]: the segments along
-    which h . x does not change, and the others, are looked at by themselves and against each other. *)
+    Of a segment from a to b a piece holds the points a + t (b - a) with from <= t <= till, counted
+    in so many parts. A plan is advice that nobody needs to trust. [Cut]: a point is on one side of
+    the plane h . x = c, and of two segments through it both have a piece on that side. [Part]: the
+    segments along which h . x does not change, and the others, are looked at by themselves and
+    against each other. *)
+
+Definition parts : Z := 1048576.
+Record piece := Piece { whole : segment; from : Z; till : Z }.
 
 Inductive plan :=
 | Together
 | Cut (h : point) (c : Z) (low high : plan)
 | Part (h : point) (p q r o : plan).
 
+(** The plan, and how to divide two numbers: a quotient that is wrong costs time, too, never truth. *)
+Record advice := Advice { cuts : plan; ratio : Z -> Z -> Z }.
+Definition no_advice := Advice Together (fun _ _ => 0).
+
+Fixpoint each {A B} (f : A -> B) (l : list A) (r : list B) : list B :=
+  match l with [] => r | a :: m => each f m (f a :: r) end.
 Fixpoint sift {A} (f : A -> bool) (l r : list A) : list A :=
   match l with [] => r | a :: m => sift f m (if f a then a :: r else r) end.
 
-(** The segments that reach below and those that reach above the plane. *)
-Fixpoint divide (h : point) (c : Z) (l low high : list segment) : list segment * list segment :=
+(** Adds what a piece has before m, and what it has behind m. *)
+Definition before (m : Z) (s : piece) (l : list piece) : list piece :=
+  if from s <=? m then Piece (whole s) (from s) (Z.min m (till s)) :: l else l.
+Definition behind (m : Z) (s : piece) (l : list piece) : list piece :=
+  if m <=? till s then Piece (whole s) (Z.max m (from s)) (till s) :: l else l.
+
+(** What lies below and what lies above the plane. A segment that rises or falls by o, by n / parts
+    of it until it is there, passes the plane between m and m + 1. *)
+Fixpoint divide (ratio : Z -> Z -> Z) (h : point) (c : Z) (l low high : list piece) : list piece * list piece :=
   match l with
   | [] => (low, high)
   | s :: r =>
-      let x := dot h (snd (fst s)) in let y := dot h (snd (snd s)) in
-      divide h c r (if (x <=? c) || (y <=? c) then s :: low else low)
-        (if (c <=? x) || (c <=? y) then s :: high else high)
+      let x := dot h (snd (fst (whole s))) - c in let y := dot h (snd (snd (whole s))) - c in
+      if (x <? 0) && (y <? 0) then divide ratio h c r (s :: low) high
+      else if (0 <? x) && (0 <? y) then divide ratio h c r low (s :: high)
+      else
+        let rises := x <? y in let o := if rises then y - x else x - y in
+        let n := (if rises then 0 - x else x) * parts in
+        let m := ratio n o in let e := n - m * o in
+        if (0 <? o) && (0 <=? e) && (e <=? o)
+        then if rises then divide ratio h c r (before (m + 1) s low) (behind m s high)
+             else divide ratio h c r (behind m s low) (before (m + 1) s high)
+        else divide ratio h c r (s :: low) (s :: high)
   end.
 
-Definition level (h : point) (s : segment) : bool :=
-  dot h (snd (fst s)) =? dot h (snd (snd s)).
-Definition sloping (h : point) (s : segment) : bool := negb (level h s).
+Definition level (h : point) (s : piece) : bool :=
+  dot h (snd (fst (whole s))) =? dot h (snd (snd (whole s))).
+Definition sloping (h : point) (s : piece) : bool := negb (level h s).
+
+(** A segment with the box of a piece. *)
+Record boxed := Boxed { inside : segment; x0 : Z; x1 : Z; y0 : Z; y1 : Z; z0 : Z; z1 : Z }.
+Definition box_of (s : piece) : boxed :=
+  let a := snd (fst (whole s)) in let b := snd (snd (whole s)) in
+  let at_ (c : point -> Z) t := c a * parts + t * (c b - c a) in
+  let x := at_ px (from s) in let x' := at_ px (till s) in
+  let y := at_ py (from s) in let y' := at_ py (till s) in
+  let z := at_ pz (from s) in let z' := at_ pz (till s) in
+  Boxed (whole s) (Z.min x x') (Z.max x x') (Z.min y y') (Z.max y y') (Z.min z z') (Z.max z z').
+Definition far (s t : boxed) : bool :=
+  (x1 s <? x0 t) || (x1 t <? x0 s) || (y1 s <? y0 t) || (y1 t <? y0 s) || (z1 s <? z0 t) || (z1 t <? z0 s).
+Definition near_ok (f : segment -> segment -> bool) (s t : boxed) : bool := far s t || f (inside s) (inside t).
 
 Fixpoint all_pairs {A} (f : A -> A -> bool) (l : list A) : bool :=
   match l with [] => true | a :: r => forallb (f a) r && all_pairs f r end.
 
-(** One of l with one of m. *)
-Fixpoint across_ok (f : segment -> segment -> bool) (p : plan) (l m : list segment) : bool :=
-  match p with
-  | Together => forallb (fun s => forallb (f s) m) l
-  | Cut h c low high =>
-      let (l1, l2) := divide h c l [] [] in let (m1, m2) := divide h c m [] [] in
-      across_ok f low l1 m1 && across_ok f high l2 m2
-  | Part h p q r o =>
-      let l1 := sift (level h) l [] in let l2 := sift (sloping h) l [] in
-      let m1 := sift (level h) m [] in let m2 := sift (sloping h) m [] in
-      across_ok f p l1 m1 && across_ok f q l1 m2 && across_ok f r l2 m1 && across_ok f o l2 m2
-  end.
+Section Pairs.
+  Context (f : segment -> segment -> bool) (ratio : Z -> Z -> Z).
 
-(** Two of l. *)
-Fixpoint pairs_ok (f : segment -> segment -> bool) (p : plan) (l : list segment) : bool :=
-  match p with
-  | Together => all_pairs f l
-  | Cut h c low high =>
-      let (l1, l2) := divide h c l [] [] in pairs_ok f low l1 && pairs_ok f high l2
-  | Part h p q _ o =>
-      let l1 := sift (level h) l [] in let l2 := sift (sloping h) l [] in
-      pairs_ok f p l1 && across_ok f q l1 l2 && pairs_ok f o l2
-  end.
+  (** One of l with one of m. *)
+  Fixpoint across_ok (p : plan) (l m : list piece) : bool :=
+    match p with
+    | Together => let m := each box_of m [] in forallb (fun s => forallb (near_ok f (box_of s)) m) l
+    | Cut h c low high =>
+        let (l1, l2) := divide ratio h c l [] [] in let (m1, m2) := divide ratio h c m [] [] in
+        across_ok low l1 m1 && across_ok high l2 m2
+    | Part h p q r o =>
+        let l1 := sift (level h) l [] in let l2 := sift (sloping h) l [] in
+        let m1 := sift (level h) m [] in let m2 := sift (sloping h) m [] in
+        across_ok p l1 m1 && across_ok q l1 m2 && across_ok r l2 m1 && across_ok o l2 m2
+    end.
+
+  (** Two of l. *)
+  Fixpoint pairs_ok (p : plan) (l : list piece) : bool :=
+    match p with
+    | Together => all_pairs (near_ok f) (each box_of l [])
+    | Cut h c low high =>
+        let (l1, l2) := divide ratio h c l [] [] in pairs_ok low l1 && pairs_ok high l2
+    | Part h p q _ o =>
+        let l1 := sift (level h) l [] in let l2 := sift (sloping h) l [] in
+        pairs_ok p l1 && across_ok q l1 l2 && pairs_ok o l2
+    end.
+End Pairs.
 
 (** ** The segments, with the vertices' points from a table *)
 
@@ -251,7 +294,7 @@ Definition same_metric_ok (d : drawing) (k : promise) : bool :=
 
 (** ** All of it *)
 
-Definition check (p : plan) (d : drawing) (g : graph) (k : promise) : bool :=
+Definition check (p : advice) (d : drawing) (g : graph) (k : promise) : bool :=
   sane k && same_metric_ok d k && graph_ok d g
   && forallb (fun f => N.leb (count 0 (bends f)) (most_bends k)) (edges d)
   && plane_ok k d && box_ok k d g
@@ -259,5 +302,6 @@ Definition check (p : plan) (d : drawing) (g : graph) (k : promise) : bool :=
      | None => false
      | Some l =>
          forallb (fun s => negb (same_point (snd (fst s)) (snd (snd s))) && direction_ok k s) l
-         && pairs_ok (pair_ok (lengths k) k) p (dots 0 (vertices d) l)
+         && pairs_ok (pair_ok (lengths k) k) (ratio p) (cuts p)
+              (each (fun s => Piece s 0 parts) (dots 0 (vertices d) l) [])
      end.

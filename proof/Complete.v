@@ -230,49 +230,90 @@ Proof.
   destruct (f a); [|reflexivity]. cbn. now rewrite <- app_assoc.
 Qed.
 
-Lemma divide_is h c l : forall low high, exists f f',
-  divide h c l low high = (rev (filter f l) ++ low, rev (filter f' l) ++ high).
+Lemma sift_nodup (f : piece -> bool) l : NoDup (map whole l) -> NoDup (map whole (sift f l [])).
 Proof.
-  exists (fun s => (dot h (snd (fst s)) <=? c) || (dot h (snd (snd s)) <=? c)),
-    (fun s => (c <=? dot h (snd (fst s))) || (c <=? dot h (snd (snd s)))).
-  revert low high. induction l as [|s r IH]; cbn [divide filter]; intros low high; [reflexivity|].
-  cbv zeta. rewrite IH. destruct (orb (_ <=? c) _), (orb (c <=? _) _); cbn [rev]; now rewrite <- ?app_assoc.
+  rewrite sift_is, app_nil_r, map_rev. intros N. apply NoDup_rev. induction l as [|s r IH]; [constructor|].
+  cbn in *. inversion N; subst. destruct (f s); cbn; [|auto]. constructor; [|auto].
+  intros I. apply H1. apply in_map_iff in I as [u [<- U]]. apply in_map, (proj1 (filter_In _ _ _) U).
 Qed.
 
-Lemma in_part {A} (f : A -> bool) l a : In a (rev (filter f l) ++ []) -> In a l.
-Proof. rewrite app_nil_r, <- in_rev, filter_In. tauto. Qed.
+(** A list that has of each segment only what others have, and no segment twice. *)
+Definition within (l k : list piece) : Prop :=
+  (forall u, In u k -> In (whole u) (map whole l)) /\ (NoDup (map whole l) -> NoDup (map whole k)).
 
-Lemma part_nodup {A} (f : A -> bool) l : NoDup l -> NoDup (rev (filter f l) ++ []).
-Proof. rewrite app_nil_r. intros N. now apply NoDup_rev, NoDup_filter. Qed.
-
-Lemma across_ok_complete f p : forall l m,
-  (forall s t, In s l -> In t m -> f s t = true) -> across_ok f p l m = true.
+Lemma sift_within f l : within l (sift f l []).
 Proof.
+  split; [|apply sift_nodup]. intros u. rewrite sift_is, app_nil_r, <- in_rev, filter_In. intros [U _].
+  now apply in_map.
+Qed.
+
+Lemma divide_within ratio h c l :
+  within l (fst (divide ratio h c l [] [])) /\ within l (snd (divide ratio h c l [] [])).
+Proof.
+  assert (G : forall low high, let out := divide ratio h c l low high in
+    within (l ++ low) (fst out) /\ within (l ++ high) (snd out)).
+  { assert (ADD : forall s r k k', adds s k k' -> forall m, within (r ++ k') m -> within ((s :: r) ++ k) m).
+    { intros s r k k' [->|[u [-> W]]] m [I N]; split.
+      - intros v V. right. now apply I.
+      - intros D. inversion D; auto.
+      - intros v V. apply I in V. rewrite map_app in V |- *. cbn in *. rewrite W in V. rewrite in_app_iff in *. cbn in V. tauto.
+      - intros D. apply N. rewrite map_app in *. cbn in *. rewrite W. eapply Permutation_NoDup; [|exact D].
+        apply Permutation_middle. }
+    induction l as [|s r IH]; intros low high out; [split; (split; [intros u; apply in_map|auto])|].
+    destruct (divide_step ratio h c s r low high) as [low' [high' [E [AL [AH _]]]]].
+    subst out. rewrite E. split; eapply ADD; try eassumption; apply IH. }
+  specialize (G [] []). now rewrite !app_nil_r in G.
+Qed.
+
+Lemma within_all {l k} (P : segment -> Prop) : within l k -> (forall u, In u l -> P (whole u)) ->
+  forall u, In u k -> P (whole u).
+Proof. intros [I _] H u U. apply I in U. apply in_map_iff in U as [v [<- V]]. auto. Qed.
+
+Lemma across_ok_complete f ratio p : forall l m,
+  (forall s t, In s l -> In t m -> f (whole s) (whole t) = true) -> across_ok f ratio p l m = true.
+Proof.
+  assert (SUB : forall l m l' m', within l l' -> within m m' ->
+    (forall s t, In s l -> In t m -> f (whole s) (whole t) = true) ->
+    forall s t, In s l' -> In t m' -> f (whole s) (whole t) = true).
+  { intros l m l' m' L M F s t S T. revert s S. apply (within_all (fun s => f s (whole t) = true) L). intros s S.
+    revert t T. apply (within_all (fun t => f (whole s) t = true) M). auto. }
   induction p as [|h c low IL high IH|h p IP q IQ r IR o IO]; cbn [across_ok]; intros l m F.
-  - apply forallb_forall. intros s S. apply forallb_forall. auto.
-  - destruct (divide_is h c l [] []) as [a [b ->]], (divide_is h c m [] []) as [a' [b' ->]].
-    apply andb_true_intro. split; [apply IL|apply IH]; intros s t S T; apply in_part in S, T; auto.
-  - cbv zeta. rewrite !sift_is. repeat (apply andb_true_intro; split); [apply IP|apply IQ|apply IR|apply IO];
-      intros s t S T; apply in_part in S, T; auto.
+  - apply forallb_forall. intros s S. apply forallb_forall. intros t T.
+    rewrite each_is, app_nil_r, <- in_rev in T. apply in_map_iff in T as [u [<- U]].
+    unfold near_ok. cbn [inside box_of]. now rewrite (F s u S U), orb_true_r.
+  - destruct (divide_within ratio h c l) as [LL LH], (divide_within ratio h c m) as [ML MH].
+    destruct (divide ratio h c l), (divide ratio h c m).
+    apply andb_true_intro. split; [apply IL|apply IH]; eauto.
+  - cbv zeta. repeat (apply andb_true_intro; split); [apply IP|apply IQ|apply IR|apply IO];
+      (eapply SUB; [apply sift_within|apply sift_within|exact F]).
 Qed.
 
-Lemma pairs_ok_complete f p : forall l, NoDup l ->
-  (forall s t, In s l -> In t l -> s <> t -> f s t = true) -> pairs_ok f p l = true.
+Lemma pairs_ok_complete f ratio p : forall l, NoDup (map whole l) ->
+  (forall s t, In s l -> In t l -> whole s <> whole t -> f (whole s) (whole t) = true) -> pairs_ok f ratio p l = true.
 Proof.
+  assert (SUB : forall l l', within l l' ->
+    (forall s t, In s l -> In t l -> whole s <> whole t -> f (whole s) (whole t) = true) ->
+    forall s t, In s l' -> In t l' -> whole s <> whole t -> f (whole s) (whole t) = true).
+  { intros l l' L F s t S T. revert s S. apply (within_all (fun s => s <> whole t -> f s (whole t) = true) L). intros s S.
+    revert t T. apply (within_all (fun t => whole s <> t -> f (whole s) t = true) L). auto. }
   induction p as [|h c low IL high IH|h p IP q IQ r IR o IO]; cbn [pairs_ok]; intros l N F.
-  - induction l as [|a r IH]; [reflexivity|]. inversion N; subst. cbn [all_pairs].
+  - rewrite each_is, app_nil_r, <- map_rev. apply NoDup_rev in N. rewrite <- map_rev in N.
+    assert (F' : forall s t, In s (rev l) -> In t (rev l) -> whole s <> whole t -> f (whole s) (whole t) = true)
+      by (intros s t S T; apply in_rev in S, T; auto).
+    clear F. induction (rev l) as [|a r IH]; [reflexivity|]. cbn in N. inversion N; subst. cbn [map all_pairs].
     apply andb_true_intro. split.
-    + apply forallb_forall. intros t T. apply F; [now left|now right|]. now intros ->.
-    + apply IH; [assumption|]. intros s t S T. apply F; now right.
-  - destruct (divide_is h c l [] []) as [a [b ->]].
-    apply andb_true_intro. split; [apply IL|apply IH]; try (now apply part_nodup);
-      intros s t S T; apply in_part in S, T; auto.
-  - cbv zeta. rewrite !sift_is. repeat (apply andb_true_intro; split).
-    + apply IP; [now apply part_nodup|]. intros s t S T. apply in_part in S, T. auto.
-    + apply across_ok_complete. intros s t S T. apply F; try (eapply in_part; eassumption).
-      intros <-. rewrite app_nil_r, <- in_rev, filter_In in S, T. unfold sloping in T.
-      destruct S as [_ S], T as [_ T]. now rewrite S in T.
-    + apply IO; [now apply part_nodup|]. intros s t S T. apply in_part in S, T. auto.
+    + apply forallb_forall. intros t T. apply in_map_iff in T as [u [<- U]]. unfold near_ok; cbn [inside box_of].
+      rewrite (F' a u); [apply orb_true_r|now left|now right|]. intros E. apply H1. rewrite E. now apply in_map.
+    + apply IH; [assumption|]. intros s t S T. apply F'; now right.
+  - destruct (divide_within ratio h c l) as [LL LH]. destruct (divide ratio h c l).
+    apply andb_true_intro. split; [apply IL; [now apply LL|]|apply IH; [now apply LH|]]; eauto.
+  - cbv zeta. pose proof (sift_within (level h) l) as LL. pose proof (sift_within (sloping h) l) as LS.
+    repeat (apply andb_true_intro; split).
+    + apply IP; [now apply LL|]. eauto.
+    + apply across_ok_complete. intros s t S T. rewrite !sift_is, !app_nil_r, <- !in_rev, !filter_In in S, T.
+      apply F; try easy. intros E. destruct S as [_ S], T as [_ T]. unfold sloping, level in *. rewrite E in S.
+      now rewrite S in T.
+    + apply IO; [now apply LS|]. eauto.
 Qed.
 
 (** ** The list of segments *)
@@ -426,15 +467,18 @@ Proof.
         apply along_complete; [|exact A]. apply (no_zero_length _ _ _ G s S).
     + assert (C : forall s, In s (dots 0 (vertices d) l) -> compared d g s).
       { intros s S. apply all_in in S. rewrite (all_vertices _ _ _ G), L in S. exact S. }
+      assert (W : forall l r, map whole (each (fun s => Piece s 0 parts) l r) = rev l ++ map whole r).
+      { intros m r. rewrite each_is, map_app, map_rev, map_map. cbn. now rewrite map_id. }
       apply pairs_ok_complete.
-      * rewrite dots_is. apply NoDup_app.
+      * rewrite W, app_nil_r. apply NoDup_rev. rewrite dots_is. apply NoDup_app.
         -- apply NoDup_rev. apply (NoDup_map_inv (fun s => fst (fst s))). rewrite map_map. cbn.
            rewrite <- (map_map fst Vertex). apply FinFun.Injective_map_NoDup; [intros i j E; now injection E|].
            apply numbered_nodup.
         -- rewrite GA. apply NoDup_rev, (segments_differ _ _ _ G).
         -- intros s S T. apply L in T. apply (no_zero_length _ _ _ G s T).
            rewrite <- in_rev, in_map_iff in S. destruct S as [a [<- _]]. reflexivity.
-      * intros s t S T N. apply (pair_complete _ _ _ G); auto.
+      * intros s t S T N. apply (in_map whole) in S, T. rewrite W, app_nil_r, <- in_rev in S, T.
+        apply (pair_complete _ _ _ G); auto.
 Qed.
 
 Theorem check_iff p d g k : check p d g k = true <-> Good d g k.

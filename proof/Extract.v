@@ -31,4 +31,4 @@ Extract Inlined Constant N.eqb => "Integer.equal".
 Extract Inlined Constant N.succ => "Integer.succ".
 Extract Inlined Constant N.succ_pos => "Integer.succ".
 
-Extraction "checker.ml" check.
+Extraction "checker.ml" check no_advice.

@@ -81,24 +81,133 @@ Proof.
           | exact (separates_sound _ _ _ _ _ x H X Y) ].
 Qed.
 
-(** A point on a segment is on one side of each plane together with an end of the segment. *)
-Lemma side_below h c a b x : between (real a) (real b) x -> rdot h x <= IZR c ->
-  (dot h a <= c \/ dot h b <= c)%Z.
+(** ** Pieces of segments *)
+
+(** The point x of the piece, at the part t of its segment. *)
+Definition at_part (s : piece) (t : R) (x : vec) : Prop :=
+  let a := at_ (fst (whole s)) in let b := at_ (snd (whole s)) in
+  0 <= t <= 1 /\ IZR (from s) <= t * IZR parts <= IZR (till s) /\
+  x = Vec (vx a + t * (vx b - vx a)) (vy a + t * (vy b - vy a)) (vz a + t * (vz b - vz a)).
+Definition holds (s : piece) (x : vec) : Prop := exists t, at_part s t x.
+
+Lemma parts_positive : 0 < IZR parts.
+Proof. apply IZR_lt. reflexivity. Qed.
+
+Lemma whole_holds s x : on s x -> holds (Piece s 0 parts) x.
 Proof.
-  intros X Y. apply (between_rdot h) in X as [t [T X]]. rewrite !rdot_real in X.
-  destruct (Z_le_gt_dec (dot h a) c) as [|A]; [auto|].
-  destruct (Z_le_gt_dec (dot h b) c) as [|B]; [auto|]. exfalso.
-  apply Z.gt_lt, IZR_lt in A. apply Z.gt_lt, IZR_lt in B.
-  pose proof (convex_above t _ _ _ T A B). lra.
+  intros [t [T X]]. exists t. split; [exact T|]. split; [|exact X]. cbn [from till].
+  pose proof parts_positive. nra.
 Qed.
-Lemma side_above h c a b x : between (real a) (real b) x -> IZR c <= rdot h x ->
-  (c <= dot h a \/ c <= dot h b)%Z.
+
+Lemma at_part_rdot h s t x : at_part s t x ->
+  let a := dot h (snd (fst (whole s))) in let b := dot h (snd (snd (whole s))) in
+  rdot h x = IZR a + t * (IZR b - IZR a).
 Proof.
-  intros X Y. apply (between_rdot h) in X as [t [T X]]. rewrite !rdot_real in X.
-  destruct (Z_le_gt_dec c (dot h a)) as [|A]; [auto|].
-  destruct (Z_le_gt_dec c (dot h b)) as [|B]; [auto|]. exfalso.
-  apply Z.gt_lt, IZR_lt in A. apply Z.gt_lt, IZR_lt in B.
-  pose proof (convex_below t _ _ _ T A B). lra.
+  intros [_ [_ ->]]. cbv zeta. rewrite <- !rdot_real. unfold at_, rdot; cbn [vx vy vz]. ring.
+Qed.
+
+(** A piece with less on one side of m still has what is on the other. *)
+Lemma before_holds m s t x l : at_part s t x -> t * IZR parts <= IZR m ->
+  exists u, before m s l = u :: l /\ whole u = whole s /\ holds u x.
+Proof.
+  intros [T [[F L] X]] M. unfold before. destruct (Z.leb_spec (from s) m) as [K|K].
+  - eexists. split; [reflexivity|]. split; [reflexivity|]. exists t. split; [exact T|]. split; [|exact X].
+    cbn [from till]. split; [exact F|]. now destruct (Z.min_spec m (till s)) as [[_ ->]|[_ ->]].
+  - apply IZR_lt in K. lra.
+Qed.
+Lemma behind_holds m s t x l : at_part s t x -> IZR m <= t * IZR parts ->
+  exists u, behind m s l = u :: l /\ whole u = whole s /\ holds u x.
+Proof.
+  intros [T [[F L] X]] M. unfold behind. destruct (Z.leb_spec m (till s)) as [K|K].
+  - eexists. split; [reflexivity|]. split; [reflexivity|]. exists t. split; [exact T|]. split; [|exact X].
+    cbn [from till]. split; [|exact L]. now destruct (Z.max_spec m (from s)) as [[_ ->]|[_ ->]].
+  - apply IZR_lt in K. lra.
+Qed.
+
+(** Where a segment passes a plane: it rises by o, and by n parts until it is there. *)
+Lemma passes n o m t : (0 < o)%Z -> (0 <= n * parts - m * o <= o)%Z ->
+  (t * IZR o <= IZR n -> t * IZR parts <= IZR (m + 1)) /\ (IZR n <= t * IZR o -> IZR m <= t * IZR parts).
+Proof.
+  intros O [E E']. apply IZR_lt in O. apply IZR_le in E, E'. rewrite minus_IZR, !mult_IZR in *.
+  rewrite plus_IZR. pose proof parts_positive as P. split; intros H.
+  - apply (Rmult_le_reg_r (IZR o)); [exact O|]. apply (Rmult_le_compat_r (IZR parts)) in H; lra.
+  - apply (Rmult_le_reg_r (IZR o)); [exact O|]. apply (Rmult_le_compat_r (IZR parts)) in H; lra.
+Qed.
+
+(** A step of [divide]: what is added is of the same segment, and has every point on its side. *)
+Definition adds (s : piece) (l l' : list piece) : Prop :=
+  l' = l \/ exists u, l' = u :: l /\ whole u = whole s.
+Definition keeps (s : piece) (l l' : list piece) (x : vec) : Prop :=
+  exists u, l' = u :: l /\ whole u = whole s /\ holds u x.
+
+Lemma before_adds m s l : adds s l (before m s l).
+Proof. unfold before, adds. destruct (from s <=? m)%Z; [right; eauto|now left]. Qed.
+Lemma behind_adds m s l : adds s l (behind m s l).
+Proof. unfold behind, adds. destruct (m <=? till s)%Z; [right; eauto|now left]. Qed.
+Lemma self_adds s l : adds s l (s :: l).
+Proof. right; eauto. Qed.
+
+Lemma divide_step ratio h c s r low high : exists low' high',
+  divide ratio h c (s :: r) low high = divide ratio h c r low' high' /\
+  adds s low low' /\ adds s high high' /\
+  forall x, holds s x ->
+    (rdot h x <= IZR c -> keeps s low low' x) /\ (IZR c <= rdot h x -> keeps s high high' x).
+Proof.
+  cbn [divide]. cbv zeta.
+  set (x := (dot h (snd (fst (whole s))) - c)%Z). set (y := (dot h (snd (snd (whole s))) - c)%Z).
+  assert (AT : forall p t, at_part s t p -> 0 <= t <= 1 /\ rdot h p = IZR c + (IZR x + t * (IZR y - IZR x))).
+  { intros p t T. split; [apply T|]. rewrite (at_part_rdot h s t p T). unfold x, y. rewrite !minus_IZR. ring. }
+  assert (SELF : forall p l, holds s p -> keeps s l (s :: l) p) by (intros p l H; exists s; auto).
+  destruct ((x <? 0) && (y <? 0))%Z eqn:B; [|clear B; destruct ((0 <? x) && (0 <? y))%Z eqn:B].
+  - exists (s :: low), high. split; [reflexivity|]. split; [apply self_adds|]. split; [now left|].
+    intros p H. split; [auto|]. intros L. exfalso. destruct H as [t T]. apply AT in T as [T E]. split_tests.
+    apply IZR_lt in H, H0. pose proof (convex_below t _ _ _ T H H0). lra.
+  - exists low, (s :: high). split; [reflexivity|]. split; [now left|]. split; [apply self_adds|].
+    intros p H. split; [|auto]. intros L. exfalso. destruct H as [t T]. apply AT in T as [T E]. split_tests.
+    apply IZR_lt in H, H0. pose proof (convex_above t _ _ _ T H H0). lra.
+  - clear B. destruct (x <? y)%Z;
+      match goal with |- context [(_ - ?m * _)%Z] => set (k := m) end;
+      match goal with |- context [if ?b then _ else _] => destruct b eqn:B end.
+    2, 4: exists (s :: low), (s :: high); split; [reflexivity|]; split; [apply self_adds|]; split; [apply self_adds|]; auto.
+    + eexists _, _. split; [reflexivity|]. split; [apply before_adds|]. split; [apply behind_adds|].
+      intros p [t T]. pose proof (AT _ _ T) as [T' E]. split_tests.
+      destruct (passes (0 - x) (y - x) k t) as [P P']; [assumption|easy|]. rewrite !minus_IZR in P, P'.
+      split; intros L; [apply (before_holds _ _ t _ _ T)|apply (behind_holds _ _ t _ _ T)]; [apply P|apply P']; lra.
+    + eexists _, _. split; [reflexivity|]. split; [apply behind_adds|]. split; [apply before_adds|].
+      intros p [t T]. pose proof (AT _ _ T) as [T' E]. split_tests.
+      destruct (passes x (x - y) k t) as [P P']; [assumption|easy|]. rewrite !minus_IZR in P, P'.
+      split; intros L; [apply (behind_holds _ _ t _ _ T)|apply (before_holds _ _ t _ _ T)]; [apply P'|apply P]; lra.
+Qed.
+
+(** ** The box of a piece *)
+
+Lemma in_range a b f l t : 0 <= t <= 1 -> IZR f <= t * IZR parts <= IZR l ->
+  let u := (a * parts + f * (b - a))%Z in let v := (a * parts + l * (b - a))%Z in
+  IZR (Z.min u v) <= (IZR a + t * (IZR b - IZR a)) * IZR parts <= IZR (Z.max u v).
+Proof.
+  intros T L u v. set (w := (IZR a + t * (IZR b - IZR a)) * IZR parts).
+  assert (U : IZR u = IZR a * IZR parts + IZR f * (IZR b - IZR a))
+    by (unfold u; rewrite plus_IZR, !mult_IZR, minus_IZR; ring).
+  assert (V : IZR v = IZR a * IZR parts + IZR l * (IZR b - IZR a))
+    by (unfold v; rewrite plus_IZR, !mult_IZR, minus_IZR; ring).
+  assert (W : w = IZR a * IZR parts + t * IZR parts * (IZR b - IZR a)) by (unfold w; ring).
+  assert (IZR u <= w <= IZR v \/ IZR v <= w <= IZR u) as C by (rewrite U, V, W; destruct (Rle_dec (IZR a) (IZR b)); [left|right]; nra).
+  pose proof (IZR_le _ _ (Z.le_min_l u v)). pose proof (IZR_le _ _ (Z.le_min_r u v)).
+  pose proof (IZR_le _ _ (Z.le_max_l u v)). pose proof (IZR_le _ _ (Z.le_max_r u v)). lra.
+Qed.
+
+Lemma far_sound s t x : far (box_of s) (box_of t) = true -> holds s x -> holds t x -> False.
+Proof.
+  intros H [a [A [L ->]]] [b [B [M E]]]. injection E as EX EY EZ.
+  pose proof (fun c d => in_range c d _ _ _ A L) as RS. pose proof (fun c d => in_range c d _ _ _ B M) as RT.
+  assert (NO : forall i j r, IZR i <= r -> r <= IZR j -> (j <? i)%Z = true -> False).
+  { intros i j r I J K. apply Z.ltb_lt, IZR_lt in K. lra. }
+  unfold far, box_of in H; cbn [x0 x1 y0 y1 z0 z1] in H. unfold at_, real in EX, EY, EZ; cbn [vx vy vz] in *.
+  repeat match goal with K : _ || _ = true |- _ => apply orb_prop in K as [H|H] end;
+    (eapply NO; [| |exact H]); clear H NO.
+  1, 5, 9: exact (proj1 (RT _ _)).
+  2, 5, 8: exact (proj1 (RS _ _)).
+  all: rewrite ?EX, ?EY, ?EZ; first [exact (proj2 (RT _ _))|rewrite <- ?EX, <- ?EY, <- ?EZ; exact (proj2 (RS _ _))].
 Qed.
 
 (** ** The metric *)

@@ -114,70 +114,94 @@ Proof.
     + rewrite E. now left.
 Qed.
 
-Definition reaches_below h c (s : segment) : Prop :=
-  (dot h (snd (fst s)) <= c \/ dot h (snd (snd s)) <= c)%Z.
-Definition reaches_above h c (s : segment) : Prop :=
-  (c <= dot h (snd (fst s)) \/ c <= dot h (snd (snd s)))%Z.
+(** A list has a piece of the segment s with the point x. *)
+Definition has (l : list piece) (s : segment) (x : vec) : Prop := exists u, In u l /\ whole u = s /\ holds u x.
 
-Lemma divide_in h c l s : forall low high,
-  (In s low \/ In s l /\ reaches_below h c s -> In s (fst (divide h c l low high))) /\
-  (In s high \/ In s l /\ reaches_above h c s -> In s (snd (divide h c l low high))).
+Lemma each_is {A B} (f : A -> B) l : forall r, each f l r = rev (map f l) ++ r.
 Proof.
-  unfold reaches_below, reaches_above.
-  induction l as [|t r IH]; cbn [divide fst snd]; intros low high.
-  - split; (intros [H|[H _]]; [exact H|destruct H]).
-  - cbv zeta. edestruct IH as [IL IH']. split; intros H; [apply IL|apply IH']; clear IL IH';
-      (destruct H as [H|[[->|H] E]]; [left|left|right; now split]).
-    + destruct (orb _ _); [right; exact H|exact H].
-    + rewrite (proj2 (orb_true_iff _ _)); [now left|]. now rewrite !Z.leb_le.
-    + destruct (orb _ _); [right; exact H|exact H].
-    + rewrite (proj2 (orb_true_iff _ _)); [now left|]. now rewrite !Z.leb_le.
+  induction l as [|a m IH]; cbn; intros r; [reflexivity|]. now rewrite IH, <- app_assoc.
+Qed.
+Lemma each_in {A B} (f : A -> B) l a : In a l -> In (f a) (each f l []).
+Proof. intros I. rewrite each_is, app_nil_r, <- in_rev. now apply in_map. Qed.
+
+Lemma whole_has l s x : In s l -> on s x -> has (each (fun s => Piece s 0 parts) l []) s x.
+Proof.
+  intros I X. exists (Piece s 0 parts). split; [exact (each_in (fun s => Piece s 0 parts) l s I)|].
+  split; [reflexivity|]. now apply whole_holds.
 Qed.
 
-(** Every point is on one side, and the segments through it are in that side's list. *)
-Lemma side h c x :
-  (forall u l, on u x -> In u l -> In u (fst (divide h c l [] []))) \/
-  (forall u l, on u x -> In u l -> In u (snd (divide h c l [] []))).
+(** Every point is on one side, and that side's list has it on the same segments. *)
+Lemma divide_has ratio h c s x l : forall low high,
+  (rdot h x <= IZR c -> has l s x \/ has low s x -> has (fst (divide ratio h c l low high)) s x) /\
+  (IZR c <= rdot h x -> has l s x \/ has high s x -> has (snd (divide ratio h c l low high)) s x).
 Proof.
-  destruct (Rle_dec (rdot h x) (IZR c)) as [L|L]; [left|right]; intros u l U I;
-    apply divide_in; right; (split; [exact I|]).
-  - exact (side_below _ _ _ _ _ U L).
-  - apply (side_above _ _ _ _ x U). lra.
+  assert (NIL : ~ has [] s x) by (intros [u [[] _]]).
+  assert (MORE : forall t k k', adds t k k' -> has k s x -> has k' s x).
+  { intros t k k' [->|[v [-> _]]] [u [U H]]; exists u; auto using in_cons. }
+  assert (KEEP : forall t k k', keeps t k k' x -> whole t = s -> has k' s x).
+  { intros t k k' [u [-> [W H]]] <-. exists u. split; [now left|]. auto. }
+  induction l as [|t r IH]; intros low high.
+  - split; (intros _ [H|H]; [contradiction|exact H]).
+  - destruct (divide_step ratio h c t r low high) as [low' [high' [-> [AL [AH K]]]]].
+    destruct (IH low' high') as [IL IA]. split; intros S H; [apply (IL S)|apply (IA S)];
+      (destruct H as [[u [[->|U] [W H]]]|H]; [right|left; exists u; auto|right; eauto]);
+      eapply KEEP; try exact W; now apply (K x H).
 Qed.
 
-Lemma level_or_sloping h s (l : list segment) : In s l ->
-  In s (sift (level h) l []) \/ In s (sift (sloping h) l []).
+Lemma side ratio h c x :
+  (forall s l, has l s x -> has (fst (divide ratio h c l [] [])) s x) \/
+  (forall s l, has l s x -> has (snd (divide ratio h c l [] [])) s x).
 Proof.
-  intros I. destruct (level h s) eqn:E; [left|right]; apply sift_in; right; split; auto.
+  destruct (Rle_dec (rdot h x) (IZR c)) as [L|L]; [left|right]; intros s l H;
+    (apply divide_has; [lra|now left]).
+Qed.
+
+Lemma level_or_sloping h s x l : has l s x ->
+  has (sift (level h) l []) s x \/ has (sift (sloping h) l []) s x.
+Proof.
+  intros [u [I H]]. destruct (level h u) eqn:E; [left|right]; exists u; (split; [|exact H]);
+    apply sift_in; right; split; auto.
   unfold sloping. now rewrite E.
 Qed.
 
-Lemma across_ok_sound f p : forall l m s t x, across_ok f p l m = true ->
-  In s l -> In t m -> on s x -> on t x -> f s t = true.
+Lemma near_sound f u v x : near_ok f (box_of u) (box_of v) = true -> holds u x -> holds v x ->
+  f (whole u) (whole v) = true.
 Proof.
-  induction p as [|h c low IL high IH|h p IP q IQ r IR o IO]; cbn; intros l m s t x H S T X Y.
-  - rewrite forallb_forall in H. apply H in S. rewrite forallb_forall in S. now apply S.
-  - destruct (side h c x) as [B|A].
-    + apply (B _ l X) in S. apply (B _ m Y) in T. destruct (divide h c l), (divide h c m).
-      apply andb_prop in H as [H _]. eapply IL; eauto.
-    + apply (A _ l X) in S. apply (A _ m Y) in T. destruct (divide h c l), (divide h c m).
-      apply andb_prop in H as [_ H]. eapply IH; eauto.
-  - apply andb_prop in H as [H HO]. apply andb_prop in H as [H HR]. apply andb_prop in H as [HP HQ].
-    destruct (level_or_sloping h s l S), (level_or_sloping h t m T); eauto.
+  unfold near_ok. intros H U V. apply orb_prop in H as [H|H]; [|exact H].
+  exfalso. exact (far_sound _ _ _ H U V).
 Qed.
 
-Lemma pairs_ok_sound f p : forall l s t x, pairs_ok f p l = true ->
-  In s l -> In t l -> s <> t -> on s x -> on t x -> f s t = true \/ f t s = true.
+Lemma across_ok_sound f ratio p : forall l m s t x, across_ok f ratio p l m = true ->
+  has l s x -> has m t x -> f s t = true.
 Proof.
-  induction p as [|h c low IL high IH|h p IP q IQ r IR o IO]; cbn; intros l s t x H S T N X Y.
-  - eapply all_pairs_in; eauto.
-  - destruct (side h c x) as [B|A].
-    + apply (B _ l X) in S. apply (B _ l Y) in T. destruct (divide h c l).
+  induction p as [|h c low IL high IH|h p IP q IQ r IR o IO]; cbn; intros l m s t x H S T.
+  - destruct S as [u [U [<- X]]], T as [v [V [<- Y]]]. rewrite forallb_forall in H. apply H in U.
+    rewrite forallb_forall in U. eapply near_sound; [|eassumption..]. now apply U, each_in.
+  - destruct (side ratio h c x) as [B|A].
+    + apply B in S, T. destruct (divide ratio h c l), (divide ratio h c m).
       apply andb_prop in H as [H _]. eapply IL; eauto.
-    + apply (A _ l X) in S. apply (A _ l Y) in T. destruct (divide h c l).
+    + apply A in S, T. destruct (divide ratio h c l), (divide ratio h c m).
+      apply andb_prop in H as [_ H]. eapply IH; eauto.
+  - apply andb_prop in H as [H HO]. apply andb_prop in H as [H HR]. apply andb_prop in H as [HP HQ].
+    destruct (level_or_sloping h s x l S), (level_or_sloping h t x m T); eauto.
+Qed.
+
+Lemma pairs_ok_sound f ratio p : forall l s t x, pairs_ok f ratio p l = true ->
+  has l s x -> has l t x -> s <> t -> f s t = true \/ f t s = true.
+Proof.
+  induction p as [|h c low IL high IH|h p IP q IQ r IR o IO]; cbn; intros l s t x H S T N.
+  - destruct S as [u [U [<- X]]], T as [v [V [<- Y]]]. apply (each_in box_of) in U, V.
+    apply (all_pairs_in _ _ _ _ H U) in V as [K|K].
+    + left. eapply near_sound; eassumption.
+    + right. eapply near_sound; eassumption.
+    + intros E. apply N. now apply (f_equal inside) in E.
+  - destruct (side ratio h c x) as [B|A].
+    + apply B in S, T. destruct (divide ratio h c l).
+      apply andb_prop in H as [H _]. eapply IL; eauto.
+    + apply A in S, T. destruct (divide ratio h c l).
       apply andb_prop in H as [_ H]. eapply IH; eauto.
   - apply andb_prop in H as [H HO]. apply andb_prop in H as [HP HQ].
-    destruct (level_or_sloping h s l S), (level_or_sloping h t l T); eauto using across_ok_sound.
+    destruct (level_or_sloping h s x l S), (level_or_sloping h t x l T); eauto using across_ok_sound.
 Qed.
 
 (** ** The list of segments *)
@@ -437,14 +461,15 @@ Proof.
   { intros v V. apply all_in. right. exists v. split; [lia|reflexivity]. }
   assert (MEET : forall s t x, In s all -> In t all -> s <> t -> on s x -> on t x ->
     exists c, is_end c s /\ is_end c t /\ x = at_ c).
-  { intros s t x S T N X Y. destruct (pairs_ok_sound _ _ _ _ _ x PAIRS S T N X Y) as [K|K].
+  { intros s t x S T N X Y. destruct (pairs_ok_sound _ _ _ _ _ _ x PAIRS (whole_has _ _ _ S X) (whole_has _ _ _ T Y) N)
+      as [K|K].
     - eapply pair_meet; eauto.
     - eapply pair_meet in K as [c [? [? ?]]]; eauto. }
   constructor; auto.
   - intros f F. apply FEW, N.leb_le in F. now rewrite count_is, N.add_0_l in F.
   - intros s t a b c S T N JS JT.
-    destruct (pairs_ok_sound _ _ _ _ _ (at_ a) PAIRS (SA _ S) (SA _ T) N
-                (joins_on _ _ _ JS) (joins_on _ _ _ JT)) as [K|K].
+    destruct (pairs_ok_sound _ _ _ _ _ _ (at_ a) PAIRS (whole_has _ _ _ (SA _ S) (joins_on _ _ _ JS))
+                (whole_has _ _ _ (SA _ T) (joins_on _ _ _ JT)) N) as [K|K].
     + exact (pair_angle _ _ _ _ _ _ _ PD P Q (LONG _ S) (LONG _ T) K JS JT).
     + apply angle_swap.
       exact (pair_angle _ _ _ _ _ _ _ PD P Q (LONG _ T) (LONG _ S) K JT JS).

@@ -5,8 +5,8 @@ From Drawing Require Import Spec Checker Sound Complete.
 Import ListNotations.
 Local Open Scope Z_scope.
 
-Lemma wrong d g k : check Together d g k = false -> ~ Good d g k.
-Proof. intros H G. apply (check_complete Together) in G. congruence. Qed.
+Lemma wrong d g k : check no_advice d g k = false -> ~ Good d g k.
+Proof. intros H G. apply (check_complete no_advice) in G. congruence. Qed.
 Ltac is_wrong := apply wrong; vm_compute; reflexivity.
 
 (** What is right: three corners of a square as vertices, the fourth as a bend. *)
@@ -25,9 +25,9 @@ Definition sized x y z := Promise 1 0 1 true cube 1 axes true (Some (Box x y z))
 Definition free := Promise 9 0 1 false cube 1 [] false None. (* at least 90 degrees, nothing else *)
 
 Lemma right : Good (square [c] [o; a; b]) three right_angles.
-Proof. apply (check_sound Together). vm_compute. reflexivity. Qed.
+Proof. apply (check_sound no_advice). vm_compute. reflexivity. Qed.
 Lemma right_scaled : Good (Drawing [o; a; b] [Edge 0 1 []; Edge 2 0 []; Edge 1 2 [c]] (Gram 2 2 2 0 0 0) 2) three right_angles.
-Proof. apply (check_sound Together). vm_compute. reflexivity. Qed.
+Proof. apply (check_sound no_advice). vm_compute. reflexivity. Qed.
 
 (* cosine_means *)
 Lemma q_zero p e : ~ Good (Drawing [o; a; b] [Edge 0 1 []; Edge 0 2 []] cube 1) (Graph 3 [(0, 1); (0, 2)]%N)

@@ -288,14 +288,14 @@ module Z =
     (fun zero pos neg z -> let s = Integer.sign z in
     if s = 0 then zero () else if s > 0 then pos z else neg (Integer.neg z))
       (fun _ -> Integer.zero)
-      (fun x0 -> Integer.neg x0)
-      (fun x0 -> x0)
+      (fun x2 -> Integer.neg x2)
+      (fun x2 -> x2)
       x
 
   (** val pow_pos : Integer.t -> Integer.t -> Integer.t **)
 
-  let pow_pos z0 =
-    Pos.iter (Integer.mul z0) Integer.one
+  let pow_pos z2 =
+    Pos.iter (Integer.mul z2) Integer.one
 
   (** val pow : Integer.t -> Integer.t -> Integer.t **)
 
@@ -607,10 +607,41 @@ let pair_ok g k s t0 =
             ((||) (negb bd) (fine g k b a c))
      else disjoint (snd a) (snd b) (snd c) (snd d))
 
+(** val parts : Integer.t **)
+
+let parts =
+  ((fun p -> Integer.shift_left p 1) ((fun p -> Integer.shift_left p 1)
+    ((fun p -> Integer.shift_left p 1) ((fun p -> Integer.shift_left p 1)
+    ((fun p -> Integer.shift_left p 1) ((fun p -> Integer.shift_left p 1)
+    ((fun p -> Integer.shift_left p 1) ((fun p -> Integer.shift_left p 1)
+    ((fun p -> Integer.shift_left p 1) ((fun p -> Integer.shift_left p 1)
+    ((fun p -> Integer.shift_left p 1) ((fun p -> Integer.shift_left p 1)
+    ((fun p -> Integer.shift_left p 1) ((fun p -> Integer.shift_left p 1)
+    ((fun p -> Integer.shift_left p 1) ((fun p -> Integer.shift_left p 1)
+    ((fun p -> Integer.shift_left p 1) ((fun p -> Integer.shift_left p 1)
+    ((fun p -> Integer.shift_left p 1) ((fun p -> Integer.shift_left p 1)
+    Integer.one))))))))))))))))))))
+
+type piece = { whole : segment; from : Integer.t; till : Integer.t }
+
 type plan =
 | Together
 | Cut of point * Integer.t * plan * plan
 | Part of point * plan * plan * plan * plan
+
+type advice = { cuts : plan; ratio : (Integer.t -> Integer.t -> Integer.t) }
+
+(** val no_advice : advice **)
+
+let no_advice =
+  { cuts = Together; ratio = (fun _ _ -> Integer.zero) }
+
+(** val each : ('a1 -> 'a2) -> 'a1 list -> 'a2 list -> 'a2 list **)
+
+let rec each f l r =
+  match l with
+  | [] -> r
+  | a :: m -> each f m ((f a) :: r)
 
 (** val sift : ('a1 -> bool) -> 'a1 list -> 'a1 list -> 'a1 list **)
 
@@ -619,29 +650,99 @@ let rec sift f l r =
   | [] -> r
   | a :: m -> sift f m (if f a then a :: r else r)
 
-(** val divide :
-    point -> Integer.t -> segment list -> segment list -> segment list ->
-    segment list * segment list **)
+(** val before : Integer.t -> piece -> piece list -> piece list **)
 
-let rec divide h c l low high =
+let before m s l =
+  if Integer.leq s.from m
+  then { whole = s.whole; from = s.from; till = (Integer.min m s.till) } :: l
+  else l
+
+(** val behind : Integer.t -> piece -> piece list -> piece list **)
+
+let behind m s l =
+  if Integer.leq m s.till
+  then { whole = s.whole; from = (Integer.max m s.from); till = s.till } :: l
+  else l
+
+(** val divide :
+    (Integer.t -> Integer.t -> Integer.t) -> point -> Integer.t -> piece list
+    -> piece list -> piece list -> piece list * piece list **)
+
+let rec divide ratio0 h c l low high =
   match l with
   | [] -> (low, high)
   | s :: r ->
-    let x = dot h (snd (fst s)) in
-    let y = dot h (snd (snd s)) in
-    divide h c r
-      (if (||) (Integer.leq x c) (Integer.leq y c) then s :: low else low)
-      (if (||) (Integer.leq c x) (Integer.leq c y) then s :: high else high)
+    let x = Integer.sub (dot h (snd (fst s.whole))) c in
+    let y = Integer.sub (dot h (snd (snd s.whole))) c in
+    if (&&) (Integer.lt x Integer.zero) (Integer.lt y Integer.zero)
+    then divide ratio0 h c r (s :: low) high
+    else if (&&) (Integer.lt Integer.zero x) (Integer.lt Integer.zero y)
+         then divide ratio0 h c r low (s :: high)
+         else let rises = Integer.lt x y in
+              let o = if rises then Integer.sub y x else Integer.sub x y in
+              let n0 =
+                Integer.mul (if rises then Integer.sub Integer.zero x else x)
+                  parts
+              in
+              let m = ratio0 n0 o in
+              let e = Integer.sub n0 (Integer.mul m o) in
+              if (&&)
+                   ((&&) (Integer.lt Integer.zero o)
+                     (Integer.leq Integer.zero e)) (Integer.leq e o)
+              then if rises
+                   then divide ratio0 h c r
+                          (before (Integer.add m Integer.one) s low)
+                          (behind m s high)
+                   else divide ratio0 h c r (behind m s low)
+                          (before (Integer.add m Integer.one) s high)
+              else divide ratio0 h c r (s :: low) (s :: high)
 
-(** val level : point -> segment -> bool **)
+(** val level : point -> piece -> bool **)
 
 let level h s =
-  Integer.equal (dot h (snd (fst s))) (dot h (snd (snd s)))
+  Integer.equal (dot h (snd (fst s.whole))) (dot h (snd (snd s.whole)))
 
-(** val sloping : point -> segment -> bool **)
+(** val sloping : point -> piece -> bool **)
 
 let sloping h s =
   negb (level h s)
+
+type boxed = { inside : segment; x0 : Integer.t; x1 : Integer.t;
+               y0 : Integer.t; y1 : Integer.t; z0 : Integer.t; z1 : Integer.t }
+
+(** val box_of : piece -> boxed **)
+
+let box_of s =
+  let a = snd (fst s.whole) in
+  let b = snd (snd s.whole) in
+  let at_ = fun c t0 ->
+    Integer.add (Integer.mul (c a) parts)
+      (Integer.mul t0 (Integer.sub (c b) (c a)))
+  in
+  let x = at_ (fun p -> p.px) s.from in
+  let x' = at_ (fun p -> p.px) s.till in
+  let y = at_ (fun p -> p.py) s.from in
+  let y' = at_ (fun p -> p.py) s.till in
+  let z2 = at_ (fun p -> p.pz) s.from in
+  let z' = at_ (fun p -> p.pz) s.till in
+  { inside = s.whole; x0 = (Integer.min x x'); x1 = (Integer.max x x'); y0 =
+  (Integer.min y y'); y1 = (Integer.max y y'); z0 = (Integer.min z2 z'); z1 =
+  (Integer.max z2 z') }
+
+(** val far : boxed -> boxed -> bool **)
+
+let far s t0 =
+  (||)
+    ((||)
+      ((||)
+        ((||) ((||) (Integer.lt s.x1 t0.x0) (Integer.lt t0.x1 s.x0))
+          (Integer.lt s.y1 t0.y0)) (Integer.lt t0.y1 s.y0))
+      (Integer.lt s.z1 t0.z0)) (Integer.lt t0.z1 s.z0)
+
+(** val near_ok : (segment -> segment -> bool) -> boxed -> boxed -> bool **)
+
+let near_ok f s t0 =
+  (||) (far s t0) (f s.inside t0.inside)
 
 (** val all_pairs : ('a1 -> 'a1 -> bool) -> 'a1 list -> bool **)
 
@@ -650,38 +751,43 @@ let rec all_pairs f = function
 | a :: r -> (&&) (forallb (f a) r) (all_pairs f r)
 
 (** val across_ok :
-    (segment -> segment -> bool) -> plan -> segment list -> segment list ->
-    bool **)
+    (segment -> segment -> bool) -> (Integer.t -> Integer.t -> Integer.t) ->
+    plan -> piece list -> piece list -> bool **)
 
-let rec across_ok f p l m =
+let rec across_ok f ratio0 p l m =
   match p with
-  | Together -> forallb (fun s -> forallb (f s) m) l
+  | Together ->
+    let m0 = each box_of m [] in
+    forallb (fun s -> forallb (near_ok f (box_of s)) m0) l
   | Cut (h, c, low, high) ->
-    let (l1, l2) = divide h c l [] [] in
-    let (m1, m2) = divide h c m [] [] in
-    (&&) (across_ok f low l1 m1) (across_ok f high l2 m2)
+    let (l1, l2) = divide ratio0 h c l [] [] in
+    let (m1, m2) = divide ratio0 h c m [] [] in
+    (&&) (across_ok f ratio0 low l1 m1) (across_ok f ratio0 high l2 m2)
   | Part (h, p0, q0, r, o) ->
     let l1 = sift (level h) l [] in
     let l2 = sift (sloping h) l [] in
     let m1 = sift (level h) m [] in
     let m2 = sift (sloping h) m [] in
     (&&)
-      ((&&) ((&&) (across_ok f p0 l1 m1) (across_ok f q0 l1 m2))
-        (across_ok f r l2 m1)) (across_ok f o l2 m2)
+      ((&&)
+        ((&&) (across_ok f ratio0 p0 l1 m1) (across_ok f ratio0 q0 l1 m2))
+        (across_ok f ratio0 r l2 m1)) (across_ok f ratio0 o l2 m2)
 
 (** val pairs_ok :
-    (segment -> segment -> bool) -> plan -> segment list -> bool **)
+    (segment -> segment -> bool) -> (Integer.t -> Integer.t -> Integer.t) ->
+    plan -> piece list -> bool **)
 
-let rec pairs_ok f p l =
+let rec pairs_ok f ratio0 p l =
   match p with
-  | Together -> all_pairs f l
+  | Together -> all_pairs (near_ok f) (each box_of l [])
   | Cut (h, c, low, high) ->
-    let (l1, l2) = divide h c l [] [] in
-    (&&) (pairs_ok f low l1) (pairs_ok f high l2)
+    let (l1, l2) = divide ratio0 h c l [] [] in
+    (&&) (pairs_ok f ratio0 low l1) (pairs_ok f ratio0 high l2)
   | Part (h, p0, q0, _, o) ->
     let l1 = sift (level h) l [] in
     let l2 = sift (sloping h) l [] in
-    (&&) ((&&) (pairs_ok f p0 l1) (across_ok f q0 l1 l2)) (pairs_ok f o l2)
+    (&&) ((&&) (pairs_ok f ratio0 p0 l1) (across_ok f ratio0 q0 l1 l2))
+      (pairs_ok f ratio0 o l2)
 
 type table = point PositiveMap.t
 
@@ -701,12 +807,12 @@ let look t0 v =
     Integer.t -> Integer.t -> corner -> point list -> corner -> segment list
     -> segment list **)
 
-let rec walk e i a l z0 acc =
+let rec walk e i a l z2 acc =
   match l with
-  | [] -> (a, z0) :: acc
+  | [] -> (a, z2) :: acc
   | p :: r ->
     let b = ((Bend (e, i)), p) in
-    walk e (Integer.succ i) b r z0 ((a, b) :: acc)
+    walk e (Integer.succ i) b r z2 ((a, b) :: acc)
 
 (** val gather :
     table -> Integer.t -> edge list -> segment list -> segment list option **)
@@ -871,7 +977,7 @@ let same_metric_ok d k =
       g.xx) :: ((fun g -> g.yy) :: ((fun g -> g.zz) :: ((fun g ->
       g.xy) :: ((fun g -> g.xz) :: ((fun g -> g.yz) :: [])))))))
 
-(** val check : plan -> drawing -> graph -> promise -> bool **)
+(** val check : advice -> drawing -> graph -> promise -> bool **)
 
 let check p d g k =
   (&&)
@@ -888,5 +994,7 @@ let check p d g k =
          (forallb (fun s ->
            (&&) (negb (same_point (snd (fst s)) (snd (snd s))))
              (direction_ok k s)) l)
-         (pairs_ok (pair_ok k.lengths k) p (dots Integer.zero d.vertices l))
+         (pairs_ok (pair_ok k.lengths k) p.ratio p.cuts
+           (each (fun s -> { whole = s; from = Integer.zero; till = parts })
+             (dots Integer.zero d.vertices l) []))
      | None -> false)

@@ -147,27 +147,53 @@ val fine : gram -> promise -> corner -> corner -> corner -> bool
 
 val pair_ok : gram -> promise -> segment -> segment -> bool
 
+val parts : Integer.t
+
+type piece = { whole : segment; from : Integer.t; till : Integer.t }
+
 type plan =
 | Together
 | Cut of point * Integer.t * plan * plan
 | Part of point * plan * plan * plan * plan
 
+type advice = { cuts : plan; ratio : (Integer.t -> Integer.t -> Integer.t) }
+
+val no_advice : advice
+
+val each : ('a1 -> 'a2) -> 'a1 list -> 'a2 list -> 'a2 list
+
 val sift : ('a1 -> bool) -> 'a1 list -> 'a1 list -> 'a1 list
 
+val before : Integer.t -> piece -> piece list -> piece list
+
+val behind : Integer.t -> piece -> piece list -> piece list
+
 val divide :
-  point -> Integer.t -> segment list -> segment list -> segment list ->
-  segment list * segment list
+  (Integer.t -> Integer.t -> Integer.t) -> point -> Integer.t -> piece list
+  -> piece list -> piece list -> piece list * piece list
 
-val level : point -> segment -> bool
+val level : point -> piece -> bool
 
-val sloping : point -> segment -> bool
+val sloping : point -> piece -> bool
+
+type boxed = { inside : segment; x0 : Integer.t; x1 : Integer.t;
+               y0 : Integer.t; y1 : Integer.t; z0 : Integer.t; z1 : Integer.t }
+
+val box_of : piece -> boxed
+
+val far : boxed -> boxed -> bool
+
+val near_ok : (segment -> segment -> bool) -> boxed -> boxed -> bool
 
 val all_pairs : ('a1 -> 'a1 -> bool) -> 'a1 list -> bool
 
 val across_ok :
-  (segment -> segment -> bool) -> plan -> segment list -> segment list -> bool
+  (segment -> segment -> bool) -> (Integer.t -> Integer.t -> Integer.t) ->
+  plan -> piece list -> piece list -> bool
 
-val pairs_ok : (segment -> segment -> bool) -> plan -> segment list -> bool
+val pairs_ok :
+  (segment -> segment -> bool) -> (Integer.t -> Integer.t -> Integer.t) ->
+  plan -> piece list -> bool
 
 type table = point PositiveMap.t
 
@@ -216,4 +242,4 @@ val sane : promise -> bool
 
 val same_metric_ok : drawing -> promise -> bool
 
-val check : plan -> drawing -> graph -> promise -> bool
+val check : advice -> drawing -> graph -> promise -> bool

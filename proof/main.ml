@@ -38,7 +38,7 @@ let judge k ~pairs ~times drawing_line graph_line =
   if label.real <> None && k.size <> None then
     raise (Reader.Bad "a drawing in a real type has a unit of its own: no --box");
   let t1 = Sys.time () in
-  let advice = if pairs then Together else Advice.plan d in
+  let advice = if pairs then no_advice else Advice.plan d in
   let t2 = Sys.time () in
   let good = check advice d g k in
   let t3 = Sys.time () in

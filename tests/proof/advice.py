@@ -26,13 +26,13 @@ let rec same t a b = match a, b with
 let () =
   let read () = snd (Reader.drawing (input_line stdin)) in
   let d = read () in
-  let plan = Advice.plan d in
+  let plan = (Advice.plan d).cuts in
   try
     while true do
       let m = read () in
       let p = List.hd d.vertices and r = List.hd m.vertices in
       let t = { px = Integer.sub r.px p.px; py = Integer.sub r.py p.py; pz = Integer.sub r.pz p.pz } in
-      Printf.printf "%d\\n" (same t plan (Advice.plan m))
+      Printf.printf "%d\\n" (same t plan (Advice.plan m).cuts)
     done
   with End_of_file -> ()
 """

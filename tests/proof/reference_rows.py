@@ -1,7 +1,8 @@
-"""reference_rows.py AR3D PROVED: ar3d_proved judges the drawing of every row of the study `smoke`, and one drawing per algorithm and
-family with about 1000 vertices. The graphs are generated from the rows; that a drawing is its row's is told by its text."""
+"""reference_rows.py AR3D PROVED: ar3d_proved judges the drawing of every row of the study `smoke`, one drawing per algorithm and
+family with about 1000 vertices, and a large one of `two-bend-109` in seconds. The graphs are generated from the rows; that a drawing is its row's is told by its text."""
 import pathlib
 import re
+import resource
 import sys
 import tempfile
 
@@ -49,3 +50,11 @@ for algorithm, degree in drawings.DEGREE.items():
     graphs = [generate(family, 1000, 1) for family, its in families.items() if its <= degree]
     count += len(judge(algorithm, graphs))
 print(f"{len(families)} families, {len(drawings.DEGREE)} algorithms: {count} drawings of about 1000 vertices, all of them good")
+
+# Long segments in all directions: comparing all pairs would take an hour.
+spent = -resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+judge("two-bend-109", [generate("random-4-regular", 20000, 1)])
+spent += resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+print(f"two-bend-109, 20000 vertices: {spent:.1f} s of CPU time")
+if spent > 60:
+    raise SystemExit(1)
