@@ -7,24 +7,33 @@
 #include "ar3d/verify/crossings/crossings.h"
 
 namespace ar3d::verify {
-std::vector<BoxedItem> boxed_items(const Segments& segments) {
+namespace {
+
+bool apart(const Box& a, const Box& b) {
+  return a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y ||
+         a.high.z < b.low.z || b.high.z < a.low.z;
+}
+
+}  // namespace
+
+std::vector<DrawnItem> drawn_items(const Segments& segments) {
   const Drawing& drawing = segments.drawing();
-  std::vector<BoxedItem> items;
+  std::vector<DrawnItem> items;
   items.reserve(segments.size() + drawing.num_vertices());
   for (SegmentId s = 0; s < segments.size(); ++s) {
     GrowingBox box;
     box.add(segments.from(s));
     box.add(segments.to(s));
-    items.push_back({{s, false}, box.box()});
+    items.push_back({s, false, box.box()});
   }
   for (Vertex v = 0; v < drawing.num_vertices(); ++v) {
-    items.push_back({{v, true}, {drawing.vertex(v), drawing.vertex(v)}});
+    items.push_back({v, true, {drawing.vertex(v), drawing.vertex(v)}});
   }
   return items;
 }
 
-void examine_pair(DrawnItem a, DrawnItem b, Contacts& contacts) {
-  if (a.is_vertex && b.is_vertex) return;
+void examine_pair(const DrawnItem& a, const DrawnItem& b, Contacts& contacts) {
+  if ((a.is_vertex && b.is_vertex) || apart(a.box, b.box)) return;
   if (a.is_vertex) {
     contacts.examine_vertex(a.number, b.number);
   } else if (b.is_vertex) {
@@ -38,14 +47,13 @@ void examine_pair(DrawnItem a, DrawnItem b, Contacts& contacts) {
 /// one ends are looked at. A vertex is a box, too. Quadratic, but most segments of a tall drawing
 /// are narrow.
 void test_all_pairs(const Segments& segments, Contacts& contacts) {
-  std::vector<BoxedItem> items = boxed_items(segments);
+  std::vector<DrawnItem> items = drawn_items(segments);
   std::sort(items.begin(), items.end(),
-            [](const BoxedItem& a, const BoxedItem& b) { return a.box.low.x < b.box.low.x; });
+            [](const DrawnItem& a, const DrawnItem& b) { return a.box.low.x < b.box.low.x; });
   for (std::size_t i = 0; i < items.size() && !contacts.done(); ++i) {
     for (std::size_t j = i + 1; j < items.size(); ++j) {
       if (items[j].box.low.x > items[i].box.high.x) break;
-      if (apart(items[i].box, items[j].box)) continue;
-      examine_pair(items[i].item, items[j].item, contacts);
+      examine_pair(items[i], items[j], contacts);
     }
   }
 }

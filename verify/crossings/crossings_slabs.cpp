@@ -11,17 +11,13 @@
 namespace ar3d::verify {
 namespace {
 
-void examine_slab(const Segments& segments, std::span<const BoxedItem> items, Contacts& contacts) {
+void examine_slab(const Segments& segments, std::span<const DrawnItem> items, Contacts& contacts) {
   const auto at = [&](std::uint32_t i) {
-    const auto [number, is_vertex] = items[i].item;
-    if (is_vertex) return SegmentInSpace{items[i].box.low, {}};
-    return SegmentInSpace{segments.from(number), segments.direction(number)};
+    if (items[i].is_vertex) return SegmentInSpace{items[i].box.low, {}};
+    return SegmentInSpace{segments.from(items[i].number), segments.direction(items[i].number)};
   };
   const auto visit = [&](std::uint32_t i, std::uint32_t j) {
-    // Parallel segments are never skew: most of them have boxes apart.
-    if (!apart(items[i].box, items[j].box)) {
-      examine_pair(items[i].item, items[j].item, contacts);
-    }
+    examine_pair(items[i], items[j], contacts);
     return !contacts.done();
   };
   constexpr std::size_t kFew = 48;  // items in a cell
@@ -32,9 +28,9 @@ void examine_slab(const Segments& segments, std::span<const BoxedItem> items, Co
 }  // namespace
 
 void test_by_slabs(const Segments& segments, Contacts& contacts) {
-  std::vector<BoxedItem> items = boxed_items(segments);
+  std::vector<DrawnItem> items = drawn_items(segments);
   std::sort(items.begin(), items.end(),
-            [](const BoxedItem& a, const BoxedItem& b) { return a.box.low.z < b.box.low.z; });
+            [](const DrawnItem& a, const DrawnItem& b) { return a.box.low.z < b.box.low.z; });
   for (std::size_t begin = 0; begin < items.size() && !contacts.done();) {
     std::int64_t highest = items[begin].box.high.z;
     std::size_t end = begin + 1;
