@@ -5,7 +5,6 @@
 //                                `plain`, the plain tests alone (slabs); `examine`,
 //                                certificate, metrics and hash together; `draw`, the drawing
 //   closest/WAY/ALGORITHM/N      the closest pair by `strips` and by the `tree`
-//   modes/MODE/ALGORITHM/N       the modes of precision/certificate_modes.h
 
 #include <benchmark/benchmark.h>
 
@@ -20,7 +19,6 @@
 #include "ar3d/verify/metrics/metrics.h"
 #include "ar3d/verify/predicates/widths.h"
 #include "inputs.h"
-#include "precision/certificate_modes.h"
 
 namespace ar3d::kernels {
 namespace {
@@ -66,16 +64,6 @@ void add(const std::string& what, const Algorithm& algorithm, std::int64_t large
       ->Unit(benchmark::kMillisecond);
 }
 
-void add_modes(const Algorithm& algorithm) {
-  for (const precision::JudgingMode& mode : precision::judging_modes()) {
-    add("modes/" + to_string(mode), algorithm, 10'000, [&mode](const Drawn& drawn) {
-      benchmark::DoNotOptimize(
-          precision::judge_by_mode(drawn.graph, drawn.drawing, drawn.guarantee(), mode, 0).accepts);
-      return true;  // a mode may reject a right drawing
-    });
-  }
-}
-
 const bool kRegistered = [] {
   constexpr std::int64_t kLargest = 1'000'000;
   for (const Algorithm* row : proved_algorithms()) {
@@ -93,7 +81,6 @@ const bool kRegistered = [] {
     });
     add("closest/tree", *row, kLargest,
         [](const Drawn& drawn) { return verify::closest_pair_by_tree(drawn.drawing).has_value(); });
-    add_modes(*row);
   }
   return true;
 }();

@@ -8,17 +8,6 @@ Outcome precision(const std::string& arguments) {
   return run(std::string(AR3D_PRECISION) + " " + arguments);
 }
 
-TEST(PrecisionTables, SayWhatEachModeCatches) {
-  const Outcome outcome = expect_exit(0, precision("damage --drawings 2"));
-  EXPECT_THAT(outcome.out, HasSubstr("96 drawings, "));
-  // Wrong angles are seen by all but none; exact sees everything.
-  EXPECT_THAT(outcome.out,
-              ContainsRegex("a vertex moved by 1 \\| as drawn \\| 8 \\| 100 % [^|]*\\| 100 % [^|]*"
-                            "\\| 100 % [^|]*\\| 100 % [^|]*\\| 100 % [^|]*\\| 0 "));
-  EXPECT_EQ(precision("damage --drawings 2").out, outcome.out) << "a function of the command";
-  expect_exit(2, precision("damage --drawings 0"));
-}
-
 /// The commands of docs/precision.md; the tables of `all` take minutes and are not made here.
 TEST(PrecisionTables, AllTakesAPictureAndTheWholeReportIsOneCommand) {
   EXPECT_THAT(precision("--help").out, HasSubstr("--picture"));

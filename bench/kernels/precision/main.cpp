@@ -46,16 +46,13 @@ constexpr NamedTable kTables[] = {
     {"shift", "a drawing in real types far from the origin", shift_tables},
     {"nests", "from which depth on nests miss", nest_table},
     {"predicates", "wrong answers by arithmetic", predicate_tables},
-    {"signs", "where rounding gives the wrong sign", sign_tables},
-    {"damage", "catch rates of certificate modes on damaged drawings", damage_tables}};
+    {"signs", "where rounding gives the wrong sign", sign_tables}};
 
 int print_tables(int argc, char** argv) {
-  CLI::App app("What precision costs and what it catches");
+  CLI::App app("What precision costs");
   app.require_subcommand(1);
   app.fallthrough();
   TableOptions options;
-  app.add_option("--drawings", options.drawings, "damage: of each algorithm, scale and kind")
-      ->check(CLI::Range(1, 1000000));
   app.add_option("--depth", options.depth, "nests: largest depth")->check(CLI::Range(1, 200));
   app.add_option("--picture", options.picture, "signs: new SVG file of the worst windows");
   for (const NamedTable& table : kTables) app.add_subcommand(table.name, table.what);

@@ -53,14 +53,12 @@ void print_table(const std::vector<std::string>& head,
 
 /// Everything that the tables can be asked for.
 struct TableOptions {
-  std::uint64_t drawings = 320;  ///< of each algorithm, scale and kind of damage
-  int depth = 120;               ///< largest depth of nests
-  std::string picture = {};      ///< a new SVG file of the worst windows; empty: none
+  int depth = 120;           ///< largest depth of nests
+  std::string picture = {};  ///< a new SVG file of the worst windows; empty: none
 };
 
 // What each prints stands in main.cpp. @throws InputError if the picture exists or cannot be
 // written.
-void damage_tables(const TableOptions& options);
 void nest_table(const TableOptions& options);
 void predicate_tables(const TableOptions& options);
 void shift_tables(const TableOptions& options);
