@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -51,5 +52,23 @@ std::string render_page(std::string_view page, std::string_view title,
 /// edges, the closest ones first; then the other numbers of the maps in the same order.
 std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t most,
                                       std::int64_t most_edges);
+
+/// Takes a text piece by piece, so that what has a line per row need not fit into memory.
+using TextSink = std::function<void(std::string_view)>;
+
+/// The bounds table, one line per curve (algorithm, options, family, parameters), RFC 4180 with a
+/// header line. Missing numbers are empty fields; slack is 1 - extent / bound.
+std::string bounds_csv(const StudyAnalysis& analysis);
+
+/// Every row: all metrics of verify/metrics/metrics.h, its own bound, the theorem's, the published
+/// one, and the slack against the theorem's.
+void rows_csv(const RowView& rows, const TextSink& write);
+
+/// The growth of every quantity of every curve, one line each: exponent with 95 % interval, log
+/// exponent with its own, label, reason and the sizes that were fitted.
+std::string scaling_csv(const StudyAnalysis& analysis);
+
+/// All tables of the study (docs/analysis.md, Report), as page and figures read them.
+std::string analysis_json(const StudyAnalysis& analysis, const SinceReference& since = {});
 
 }  // namespace ar3d

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -136,6 +135,17 @@ std::string json_string(std::string_view text) {
     json += is_special ? fmt::format("\\u{:04x}", static_cast<int>(c)) : std::string(1, c);
   }
   return json;
+}
+
+nlohmann::ordered_json json_number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json key_json(const CurveKey& key) {
+  return {{"algorithm", valid_utf8(key.algorithm)},
+          {"options", valid_utf8(options_and_level(key))},
+          {"family", valid_utf8(key.family)},
+          {"parameters", valid_utf8(key.parameters)}};
 }
 
 }  // namespace ar3d

@@ -4,11 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "ar3d/store/columns/curves.h"
 
 namespace ar3d {
 
@@ -74,5 +77,11 @@ std::string tables_json(const std::vector<Table>& tables);
 std::string csv_field(std::string_view raw);
 /// A JSON string that may stand in a script element. ASCII.
 std::string json_string(std::string_view text);
+
+/// The number, or null if it is not finite.
+nlohmann::ordered_json json_number(double value);
+
+/// algorithm, options (with the level), family, parameters: the first columns of every table.
+nlohmann::ordered_json key_json(const CurveKey& key);
 
 }  // namespace ar3d

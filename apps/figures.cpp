@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/analysis/export.h"
+#include "ar3d/analysis/report.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/say.h"

@@ -1,14 +1,6 @@
 // `ar3d report`: the page, and its tables as files of their own.
 #include "ar3d/analysis/report.h"
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <string_view>
-
-#include "ar3d/analysis/export.h"
-#include "ar3d/base/error.h"
-#include "ar3d/base/new_file.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "commands.h"

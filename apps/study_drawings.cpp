@@ -15,7 +15,7 @@
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/replay/count_instructions.h"
-#include "ar3d/bench/replay/keep_drawings.h"
+#include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/row_maker.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/text/output.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "ar3d/analysis/json.h"
+#include "ar3d/analysis/table.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"

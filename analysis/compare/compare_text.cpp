@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ar3d/analysis/compare.h"
-#include "ar3d/analysis/json.h"
+#include "ar3d/analysis/table.h"
 #include "ar3d/base/printable.h"
 
 namespace ar3d {

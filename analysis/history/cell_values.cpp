@@ -17,36 +17,27 @@ struct GraphValues {
   bool is_unfinished = false;
   // log_corrected_time() with its round, of the metrics phase and of the timing phase.
   std::vector<std::pair<std::int64_t, double>> times, timing;
-  std::int64_t instructions = -1;
-  std::int64_t cycles = -1;
+  std::array<double, kMeasures.size()> logs{
+      kMissing, kMissing, kMissing, kMissing,
+      kMissing, kMissing, kMissing};  // by Measure; plain from bends on
   std::array<std::int64_t, 3> extents{-1, -1, -1};
-  double log_volume = kMissing;
-  std::int64_t bends = -1;
-  std::int64_t m = -1;
-  double crossings = kMissing;  // of measured drawings, as the next
-  double angle = kMissing;      // the smallest one
+  double m = kMissing;
   bool is_measured = false;
 };
 
-using GraphKey = std::tuple<std::int64_t, std::int64_t, std::uint64_t>;  // requested n, index, seed
-using GraphTable = std::map<GraphKey, GraphValues>;
+using GraphTable = std::map<GraphRounds::key_type, GraphValues>;
 
-std::int64_t bends_of(const RunRecord& run) {
-  std::int64_t bends = 0;
+double bends_of(const RunRecord& run) {
+  double bends = 0;
   for (std::size_t b = 0; b < run.bends.size(); ++b) {
-    if (run.bends[b] < 0 || run.bends[b] > std::numeric_limits<std::int32_t>::max()) return -1;
-    bends += static_cast<std::int64_t>(b) * run.bends[b];
+    if (run.bends[b] < 0) return kMissing;
+    bends += static_cast<double>(b) * static_cast<double>(run.bends[b]);
   }
   return bends;
 }
 
-/// Of a drawing without a guarantee, whose coordinates have any unit.
-void add_measured(const RunRecord& run, GraphValues& graph) {
-  const auto number = [&run](const char* column) { return column_number(run_column(column), run); };
-  graph.is_measured = true;
-  graph.log_volume = number("log2_relative_volume") * std::numbers::ln2;
-  graph.crossings = number("crossings");
-  graph.angle = std::fmin(number("smallest_vertex_angle"), number("smallest_bend_angle"));
+double log_count(std::int64_t count) {
+  return count > 0 ? std::log(static_cast<double>(count)) : kMissing;
 }
 
 void add_row(const RunRecord& run, GraphValues& graph) {
@@ -57,81 +48,48 @@ void add_row(const RunRecord& run, GraphValues& graph) {
   }
   auto& times = run.phase == RunPhase::timing ? graph.timing : graph.times;
   if (drawing_time_s(run) > 0) times.emplace_back(run.repetition, log_corrected_time(run));
-  graph.instructions = std::max(graph.instructions, run.counted_instructions);
-  graph.cycles = std::max(graph.cycles, run.estimated_cycles);
+  auto& [time, instructions, cycles, volume, bends, crossings, angle] = graph.logs;
+  instructions = std::fmax(instructions, log_count(run.counted_instructions));
+  cycles = std::fmax(cycles, log_count(run.estimated_cycles));
   if (run.extents[0] < 0) return;
   graph.extents = run.extents;
-  graph.log_volume = run.log2_volume * std::numbers::ln2;
-  if (run.status == RunStatus::measured) add_measured(run, graph);
-  graph.bends = bends_of(run);
-  graph.m = run.m;
-}
-
-/// exp of the mean of the logarithms that `of` gives; missing if one is.
-template <class Of>
-double geometric_mean(const GraphTable& graphs, Of of) {
-  double sum = 0;
-  for (const auto& [key, graph] : graphs) sum += of(graph);
-  const double mean = std::exp(sum / static_cast<double>(graphs.size()));
-  return std::isfinite(mean) && mean > 0 ? mean : kMissing;
-}
-
-/// Missing if one is.
-template <class Of>
-double arithmetic_mean(const GraphTable& graphs, Of of) {
-  double sum = 0;
-  for (const auto& [key, graph] : graphs) sum += of(graph);
-  return sum / static_cast<double>(graphs.size());
-}
-
-double bends_per_edge(const GraphTable& graphs) {
-  double bends = 0, edges = 0;
-  for (const auto& [key, graph] : graphs) {
-    if (graph.bends < 0 || graph.m < 0) return kMissing;
-    bends += static_cast<double>(graph.bends);
-    edges += static_cast<double>(graph.m);
-  }
-  return edges > 0 ? bends / edges : kMissing;
+  volume = run.log2_volume * std::numbers::ln2;
+  bends = bends_of(run);
+  graph.m = run.m < 0 ? kMissing : static_cast<double>(run.m);
+  if (run.status != RunStatus::measured) return;
+  const auto number = [&run](const char* column) { return column_number(run_column(column), run); };
+  graph.is_measured = true;  // coordinates have any unit
+  volume = number("log2_relative_volume") * std::numbers::ln2;
+  crossings = number("crossings");
+  angle = std::fmin(number("smallest_vertex_angle"), number("smallest_bend_angle"));
 }
 
 CellValues values_of(const GraphTable& graphs) {
-  const bool is_unfinished = std::any_of(graphs.begin(), graphs.end(),
-                                         [](const auto& at) { return at.second.is_unfinished; });
-  if (is_unfinished) return {};
-  const bool is_timed = std::any_of(graphs.begin(), graphs.end(),
-                                    [](const auto& at) { return !at.second.timing.empty(); });
-  std::string boxes, bends, crossings, angles;
-  for (const auto& [key, graph] : graphs) {
-    boxes += graph.is_measured ? fmt::format("{:.3g} ", std::exp(graph.log_volume))
-                               : fmt::format("{} ", fmt::join(graph.extents, " "));
-    bends += fmt::format("{} ", graph.bends);
-    crossings += fmt::format("{} ", graph.crossings);
-    angles += fmt::format("{:.3g} ", graph.angle);
-  }
-  GraphRounds rounds;
-  for (const auto& [key, graph] : graphs) {
-    const auto& of_graph = is_timed ? graph.timing : graph.times;
-    if (!of_graph.empty()) rounds[key] = of_graph;
-  }
-  const auto log_of = [](std::int64_t count) {
-    return count > 0 ? std::log(static_cast<double>(count)) : kMissing;
-  };
   CellValues values;
-  if (rounds.size() == graphs.size()) {
-    values.times = side_times(rounds);
-    values.of[0].value = std::exp(values.times.level);
+  GraphRounds rounds, timing;
+  std::array<double, kMeasures.size()> sums{};
+  std::array<std::string, kMeasures.size()> exact;
+  double edges = 0;
+  for (const auto& [key, graph] : graphs) {
+    if (graph.is_unfinished) return {};
+    if (!graph.times.empty()) rounds[key] = graph.times;
+    if (!graph.timing.empty()) timing[key] = graph.timing;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      sums[i] += graph.logs[i];
+      exact[i] += fmt::format("{:.3g} ", i == 3 ? std::exp(graph.logs[i]) : graph.logs[i]);
+    }
+    if (!graph.is_measured) exact[3] += fmt::format("{} ", fmt::join(graph.extents, " "));
+    for (const std::size_t i : {4U, 5U}) exact[i] += fmt::format("{} ", graph.logs[i]);
+    edges += graph.m;
   }
-  values.of[1].value =
-      geometric_mean(graphs, [&](const GraphValues& graph) { return log_of(graph.instructions); });
-  values.of[2].value =
-      geometric_mean(graphs, [&](const GraphValues& graph) { return log_of(graph.cycles); });
-  values.of[3] = {geometric_mean(graphs, [](const GraphValues& graph) { return graph.log_volume; }),
-                  content_hash(boxes)};
-  values.of[4] = {bends_per_edge(graphs), content_hash(bends)};
-  values.of[5] = {arithmetic_mean(graphs, [](const GraphValues& graph) { return graph.crossings; }),
-                  content_hash(crossings)};
-  values.of[6] = {arithmetic_mean(graphs, [](const GraphValues& graph) { return graph.angle; }),
-                  content_hash(angles)};
+  for (std::size_t i = 1; i < sums.size(); ++i) {
+    const double mean = sums[i] / static_cast<double>(graphs.size());
+    values.of[i].value = i < 4 ? std::exp(mean) : mean;
+    if (i >= 3) values.of[i].exact = content_hash(exact[i]);
+  }
+  values.of[4].value = edges > 0 ? sums[4] / edges : kMissing;
+  if (!timing.empty()) rounds = std::move(timing);
+  if (rounds.size() == graphs.size()) values.times = side_times(rounds);
   return values;
 }
 

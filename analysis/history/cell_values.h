@@ -42,7 +42,7 @@ struct CellValue {
 /// The measures of a cell in one results file.
 struct CellValues {
   SideTimes times;                             ///< of the timing phase if the cell has it
-  std::array<CellValue, kMeasures.size()> of;  ///< time: exp(times.level)
+  std::array<CellValue, kMeasures.size()> of;  ///< but the time
 };
 
 struct CellTable {

@@ -163,8 +163,7 @@ class Changes {
                            .of = step.cells,
                            .effect = step.change,
                            .interval = {step.change - step.error, step.change + step.error},
-                           .line = 0};
-      change.line = cells[step.cell == kNoCell ? most_changed(change, cells) : step.cell];
+                           .line = cells[step.most]};
       if (step.cell != kNoCell) change.of = cells_[{change.at, step.setting, Measure::time}];
       history_.changes.push_back(std::move(change));
     }
@@ -198,25 +197,6 @@ class Changes {
  private:
   static std::string setting_of(const HistoryLine& line) {
     return algorithm_label(line.cell.curve);
-  }
-
-  /// Which of the cells of the change's setting moved farthest its way.
-  std::size_t most_changed(const HistoryChange& change,
-                           const std::vector<std::size_t>& cells) const {
-    double farthest = -std::numeric_limits<double>::infinity();
-    std::size_t most = 0;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const HistoryLine& line = history_.lines[cells[i]];
-      if (!change.setting.empty() && setting_of(line) != change.setting) continue;
-      const auto at = std::find(line.results.begin(), line.results.end(), change.at);
-      if (at == line.results.end() || at == line.results.begin()) continue;
-      const double* const value = &line.values[static_cast<std::size_t>(at - line.results.begin())];
-      const double moved = change.direction * std::log(value[0] / value[-1]);
-      if (moved <= farthest) continue;
-      farthest = moved;
-      most = i;
-    }
-    return most;
   }
 
   History& history_;
@@ -263,8 +243,8 @@ void judge_times(std::size_t begin, std::size_t end, const std::vector<OpenLine>
       if (series.settings[i] != smallest.setting) continue;
       history.lines[cells[i]].is_judged = std::isfinite(smallest.best);
     }
-    history.sights.push_back(
-        {history.lines[begin].environment, history.lines[begin].study, smallest});
+    history.sights.emplace_back(history.lines[begin].environment, history.lines[begin].study,
+                                smallest);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "ar3d/analysis/compare.h"
@@ -54,20 +55,14 @@ struct HistoryChange {
   std::size_t line = 0;      ///< of the cell that changed most, in History::lines
 };
 
-/// The smallest change of times that results of one study in one environment can show.
-struct HistorySight {
-  std::size_t environment = 0;
-  std::string study;
-  SmallestStep smallest;
-};
-
 struct History {
   std::vector<CommitResults> results;                            ///< by place, then name
   std::vector<std::map<std::string, std::string>> environments;  ///< lasting settings
   std::vector<HistoryLine> lines;  ///< by environment, study, cell, measure
   std::vector<HistoryChange>
       changes;  ///< the last commit first, then by measure, the largest first
-  std::vector<HistorySight> sights;
+  /// What times can show, by environment and study.
+  std::vector<std::tuple<std::size_t, std::string, SmallestStep>> sights;
 };
 
 /// The name that a results file has in a history: PLACE_NAME_STUDY_ENVIRONMENT.h5, where

@@ -72,9 +72,9 @@ std::string notes(const History& history) {
 /// The smallest and largest of what times of single settings show.
 std::string sight_text(const History& history) {
   double low = kMissing, high = kMissing;
-  for (const HistorySight& sight : history.sights) {
-    low = std::fmin(low, sight.smallest.best);
-    high = std::fmax(high, sight.smallest.best);
+  for (const auto& [environment, study, smallest] : history.sights) {
+    low = std::fmin(low, smallest.best);
+    high = std::fmax(high, smallest.best);
   }
   if (std::isnan(low)) return "times    too few results to show a change\n";
   return fmt::format("times    the smallest change that these results show: {} to {}\n",

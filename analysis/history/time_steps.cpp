@@ -24,11 +24,8 @@ struct Windows {
   FileTimes times;
 };
 
-/// A step, and how far the means on either side of it are apart.
-struct Candidate {
-  TimeStep step;
-  double height = 0;
-};
+/// How far the means on either side of a step are apart, and the step.
+using Candidate = std::pair<double, TimeStep>;
 
 using Levels = std::array<std::vector<double>, 2>;  // before and after, sorted, equally many
 
@@ -57,9 +54,9 @@ class StepFinder {
       std::vector<Candidate> candidates;
       for (const Windows& windows : all) add_candidates(windows, candidates);
       std::stable_sort(candidates.begin(), candidates.end(),
-                       [](const auto& a, const auto& b) { return a.height > b.height; });
-      for (Candidate& candidate : candidates) {
-        if (is_free(candidate.step)) steps_.steps.push_back(std::move(candidate.step));
+                       [](const auto& a, const auto& b) { return a.first > b.first; });
+      for (auto& [height, step] : candidates) {
+        if (is_free(step)) steps_.steps.push_back(std::move(step));
       }
     }
     std::stable_sort(steps_.steps.begin(), steps_.steps.end(),
@@ -221,14 +218,18 @@ class StepFinder {
     step.at = windows.at;
     step.width = windows.width;
     std::vector<double> rises;
+    double farthest = 0;
     for (std::size_t i = 0; i < windows.cells.size(); ++i) {
-      const bool is_its = step.cell == windows.cells[i] ||
-                          (step.cell == kNoCell &&
-                           (step.setting.empty() || step.setting == windows.cell_times[i].setting));
-      if (is_its) rises.push_back(windows.rises[i]);
+      const bool is_its = step.cell == kNoCell ? step.setting.empty() ||
+                                                     step.setting == windows.cell_times[i].setting
+                                               : step.cell == windows.cells[i];
+      if (!is_its) continue;
+      const double rise = step.change > 0 ? windows.rises[i] : -windows.rises[i];
+      if (rises.empty() || rise > farthest) farthest = rise, step.most = windows.cells[i];
+      rises.push_back(rise);
     }
-    const double height = std::abs(median(std::move(rises)));
-    into.push_back({std::move(step), height});
+    const double height = median(std::move(rises));
+    into.emplace_back(height, std::move(step));
   }
 
   static bool is_enough(std::size_t cells, std::size_t width) {

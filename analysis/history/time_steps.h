@@ -28,6 +28,7 @@ struct TimeStep {
   std::string setting;         ///< empty: all settings together
   std::size_t cell = kNoCell;  ///< the only cell of the setting that moved
   std::size_t cells = 1;       ///< of the setting, that were compared
+  std::size_t most = 0;        ///< the one of them that moved most
   double change = 0;           ///< new over old level
   double error = 0;            ///< the change is within +- error
 };

@@ -86,8 +86,10 @@ const changesPart = () => {
 
 const sightPart = () => {
   const shown = value => value === null ? "\u2013" : change(value);
-  byId("sight").querySelector("div").append(makeTable([{name: "Setting", show: row => row.setting}, {name: "Study", show: row => row.study}, {name: "Environment", value: row => row.environment}, {name: "Cells", value: row => row.cells, show: row => count(row.cells)},
-    {name: "Results", value: row => row.results, show: row => count(row.results)}, {name: "In the last result", value: row => row.at_once, show: row => shown(row.at_once)}, {name: "With most results on either side", value: row => row.best, show: row => shown(row.best)}], rowsOf("sights")));
+  byId("sight").querySelector("div").append(makeTable([{name: "Setting", show: row => row.setting}, {name: "Study", show: row => row.study},
+    {name: "Environment", value: row => row.environment}, {name: "Cells", value: row => row.cells, show: row => count(row.cells)},
+    {name: "Results", value: row => row.results, show: row => count(row.results)}, {name: "In the last result", value: row => row.at_once, show: row => shown(row.at_once)},
+    {name: "With most results on either side", value: row => row.best, show: row => shown(row.best)}], rowsOf("sights")));
   byId("sight").hidden = !rowsOf("sights").length;
 };
 

@@ -1,6 +1,5 @@
 // Drawings are not stored while a study runs: the wanted ones are drawn again afterwards from their
 // rows. A drawing is kept only if its hash is the one of its row.
-#include "ar3d/bench/replay/keep_drawings.h"
 
 #include <exception>
 #include <set>

@@ -1,11 +1,10 @@
 // The two orders in which rows are made. The metrics phase finishes one instance after the other;
 // the timing phase goes round over all drawings, so that a disturbance meets all of them alike.
-#include "ar3d/bench/run/phases.h"
-
 #include <deque>
 #include <set>
 
 #include "ar3d/base/error.h"
+#include "ar3d/bench/run/session.h"
 
 namespace ar3d {
 double halves_difference(std::span<const double> values) {

@@ -6,7 +6,6 @@
 
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/measure/instruments.h"
-#include "ar3d/bench/measure/yardsticks.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/store/columns/run_record.h"

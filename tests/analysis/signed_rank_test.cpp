@@ -1,8 +1,7 @@
 // The test behind every verdict on times, against brute force and published tables.
-#include "ar3d/analysis/compare/signed_rank.h"
-
 #include <cmath>
 
+#include "ar3d/analysis/compare/time_change.h"
 #include "synthetic.h"
 
 namespace ar3d::testing {

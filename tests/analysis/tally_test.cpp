@@ -6,7 +6,7 @@
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/check.h"
-#include "ar3d/analysis/export.h"
+#include "ar3d/analysis/report.h"
 #include "ar3d/analysis/scaling.h"
 #include "ar3d/analysis/statistics.h"
 #include "ar3d/analysis/study_analysis.h"
