@@ -84,7 +84,7 @@ void generate_graphs(const GenerateArguments& arguments) {
   const RequestedGraphs request = requested(arguments);
   const GraphFormat& format = graph_format_to_write(arguments.format, arguments.output);
   OutputFile file(arguments.output);
-  const std::unique_ptr<GraphWriter> writer = format.writer(file, {});
+  const GraphWriter write = format.writer(file, {});
   for (std::uint64_t i = 0; i < arguments.count; ++i) {
     const Graph graph =
         generate(*request.family, request.n, arguments.seed + i, request.parameters);
@@ -92,10 +92,10 @@ void generate_graphs(const GenerateArguments& arguments) {
       say(stderr, "ar3d: {} has no graph with {} vertices for these parameters: this has {}\n",
           arguments.family, request.n, graph.num_vertices());
     }
-    writer->write(graph);
+    write(graph);
     file.flush_if_full();
   }
-  writer->finish();
+  file.append(format.tail);
   file.commit();
 }
 

@@ -175,9 +175,9 @@ Graph read_graph(const std::string& path, const ReadOptions& options) {
 void write_graphs(const std::vector<Graph>& graphs, const GraphFormat& format,
                   const std::string& path, const WriteOptions& options) {
   OutputFile output(path);
-  const auto writer = format.writer(output, options);
-  for (const Graph& graph : graphs) writer->write(graph);
-  writer->finish();
+  const GraphWriter write = format.writer(output, options);
+  for (const Graph& graph : graphs) write(graph);
+  output.append(format.tail);
   output.commit();
 }
 

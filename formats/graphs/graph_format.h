@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,22 +51,8 @@ class GraphParser {
   ReadOptions options_;  // a copy: the caller's may be a temporary
 };
 
-/// Writes graphs in one format, one after the other.
-class GraphWriter {
- public:
-  GraphWriter(OutputFile& output, const WriteOptions& options)
-      : output_(output), base_(options.base) {}
-  GraphWriter(const GraphWriter&) = delete;
-  GraphWriter& operator=(const GraphWriter&) = delete;
-  virtual ~GraphWriter() = default;
-  virtual void write(const Graph& graph) = 0;
-  /// Writes what stands after the last graph. Does not commit the output.
-  virtual void finish() {}
-
- protected:
-  OutputFile& output_;
-  unsigned base_;  // smallest vertex id
-};
+/// Writes a graph behind those before it; does not commit the output.
+using GraphWriter = std::function<void(const Graph&)>;
 
 /// The first bytes of an input, for detection.
 struct InputHead {
@@ -86,28 +73,19 @@ struct GraphFormat {
   /// True if the text looks like this format; asked in the catalogue's order.
   bool (*detect)(const InputHead& head) = nullptr;
   std::unique_ptr<GraphParser> (*parser)(TextInput& input, const ReadOptions& options) = nullptr;
-  std::unique_ptr<GraphWriter> (*writer)(OutputFile& output, const WriteOptions& options) = nullptr;
+  GraphWriter (*writer)(OutputFile& output, const WriteOptions& options) = nullptr;
+  std::string tail = {};  ///< what stands after the last graph
 };
 
-/// Make a format's parsers and writers, each for its row of the catalogue.
+/// Makes a format's parsers, for its row of the catalogue.
 template <class Parser>
 std::unique_ptr<GraphParser> make_parser(TextInput& input, const ReadOptions& options) {
   return std::make_unique<Parser>(input, options);
 }
 /// A writer that only appends, graph by graph.
 template <void (*append)(OutputFile& output, const Graph& graph, unsigned base)>
-class AppendingWriter final : public GraphWriter {
- public:
-  using GraphWriter::GraphWriter;
-  void write(const Graph& graph) override { append(output_, graph, base_); }
-};
-template <void (*append)(OutputFile& output, const Graph& graph, unsigned base)>
-std::unique_ptr<GraphWriter> make_appending(OutputFile& output, const WriteOptions& options) {
-  return std::make_unique<AppendingWriter<append>>(output, options);
-}
-template <class Writer>
-std::unique_ptr<GraphWriter> make_writer(OutputFile& output, const WriteOptions& options) {
-  return std::make_unique<Writer>(output, options);
+GraphWriter make_appending(OutputFile& output, const WriteOptions& options) {
+  return [&output, base = options.base](const Graph& graph) { append(output, graph, base); };
 }
 
 /// Append vertices, or edges, each between the texts `around` its numbers.

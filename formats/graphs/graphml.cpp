@@ -148,24 +148,17 @@ class GraphmlParser final : public GraphParser {
   std::size_t next_ = 0;
 };
 
-class GraphmlWriter final : public GraphWriter {
- public:
-  GraphmlWriter(OutputFile& output, const WriteOptions& options) : GraphWriter(output, options) {
-    output_.append(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<graphml "
-        "xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n");
-  }
-  void write(const Graph& graph) override {
-    output_.pending() += fmt::format("<graph id=\"g{}\" edgedefault=\"undirected\">\n", graphs_++);
-    append_vertices(output_, graph, {"<node id=\"n", "\"/>\n"});
-    append_edges(output_, graph, {"<edge source=\"n", "\" target=\"n", "\"/>\n"});
-    output_.pending() += "</graph>\n";
-  }
-  void finish() override { output_.append("</graphml>\n"); }
-
- private:
-  std::uint64_t graphs_ = 0;
-};
+GraphWriter graphml_writer(OutputFile& output, const WriteOptions&) {
+  output.append(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<graphml "
+      "xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n");
+  return [&output, graphs = std::uint64_t{0}](const Graph& graph) mutable {
+    output.pending() += fmt::format("<graph id=\"g{}\" edgedefault=\"undirected\">\n", graphs++);
+    append_vertices(output, graph, {"<node id=\"n", "\"/>\n"});
+    append_edges(output, graph, {"<edge source=\"n", "\" target=\"n", "\"/>\n"});
+    output.pending() += "</graph>\n";
+  };
+}
 
 }  // namespace
 
@@ -179,7 +172,8 @@ GraphFormat graphml_format() {
                 return first != std::string_view::npos && head.text[first] == '<';
               },
           .parser = make_parser<GraphmlParser>,
-          .writer = make_writer<GraphmlWriter>};
+          .writer = graphml_writer,
+          .tail = "</graphml>\n"};
 }
 
 }  // namespace ar3d

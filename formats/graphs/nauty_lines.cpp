@@ -80,22 +80,17 @@ void write_sparse6(OutputFile& output, const Graph& graph, unsigned) {
 }
 
 /// The first graph of each size in sparse6, the others as changes.
-class IncrementalWriter final : public GraphWriter {
- public:
-  using GraphWriter::GraphWriter;
-  void write(const Graph& graph) override {
-    if (previous_ && previous_->num_vertices() == graph.num_vertices()) {
-      append_incremental_sparse6(output_.pending(), *previous_, graph);
+GraphWriter incremental_writer(OutputFile& output, const WriteOptions&) {
+  return [&output, previous = std::optional<Graph>()](const Graph& graph) mutable {
+    if (previous && previous->num_vertices() == graph.num_vertices()) {
+      append_incremental_sparse6(output.pending(), *previous, graph);
     } else {
-      write_sparse6(output_, graph, base_);
+      write_sparse6(output, graph, 0);
     }
-    previous_ = graph;
-    output_.flush_if_full();
-  }
-
- private:
-  std::optional<Graph> previous_;
-};
+    previous = graph;
+    output.flush_if_full();
+  };
+}
 
 /// The first line is one word that begins with a character of graph6 (so it is not made of
 /// numbers).
@@ -139,7 +134,7 @@ GraphFormat incremental_sparse6_format() {
           .summary = "incremental sparse6: each graph as its difference from the one before",
           .detect = looks_like_increment,
           .parser = make_parser<NautyParser>,
-          .writer = make_writer<IncrementalWriter>};
+          .writer = incremental_writer};
 }
 
 }  // namespace ar3d

@@ -65,14 +65,14 @@ inline std::vector<Graph> read_all(std::string text, const std::string& format) 
 
 inline std::string written(const std::vector<Graph>& graphs, const GraphFormat& format) {
   static OutputFile output("/dev/null");  // the text is taken before it gets there
-  const auto writer = format.writer(output, {});
+  const GraphWriter write = format.writer(output, {});
   std::string text;
   const auto take = [&] { text += std::exchange(output.pending(), {}); };
   for (const Graph& graph : graphs) {
-    writer->write(graph);
+    write(graph);
     take();
   }
-  writer->finish();
+  output.append(format.tail);
   take();
   return text;
 }
