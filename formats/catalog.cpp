@@ -26,6 +26,23 @@ namespace {
 
 constexpr std::size_t kDetectionBytes = std::size_t{1} << 16;
 
+/// @throws InputError where the text is of a format that others read, with what converts it.
+void refuse_foreign_format(TextInput& input) {
+  const bool is_xml = input.look_ahead_line().starts_with("<");
+  const std::string_view text = is_xml ? input.look_ahead(1024) : input.look_ahead_line();
+  const auto refuse = [&](const char* name, const char* reader) {
+    throw InputError(
+        fmt::format("{}:1: this is {}, which is not read; examples/convert.py makes GraphML of it: "
+                    "networkx.write_graphml(networkx.Graph(networkx.{}(FILE)), OUTPUT)",
+                    input.name(), name, reader));
+  };
+  if (text.find("<gexf") != std::string_view::npos) refuse("GEXF", "read_gexf");
+  if (text.starts_with("*Vertices") || text.starts_with("*vertices") ||
+      text.starts_with("*Network") || text.starts_with("*network")) {
+    refuse("Pajek", "read_pajek");
+  }
+}
+
 /// The format of the text to come. Looks beyond the first line only where numbers leave several
 /// choices, so that a pipe's first graph can be read before its second is written.
 const GraphFormat& detect_format(TextInput& input) {
@@ -126,6 +143,7 @@ GraphReader::GraphReader(TextInput input, const ReadOptions& options)
     throw InputError(fmt::format("{}:1: these are drawings, no graphs; `ar3d verify` judges them",
                                  input_->name()));
   }
+  refuse_foreign_format(*input_);
   format_ = options.format.empty() ? &detect_format(*input_) : &find_graph_format(options.format);
   if (input_->look_ahead_line().empty()) {
     throw InputError(fmt::format("{}: empty file: no graph in it", input_->name()));

@@ -29,8 +29,11 @@ class DotParser final : public GraphParser {
     if (words_.peek().kind == TextWord::Kind::end) return std::nullopt;
     const bool is_strict = is_keyword("strict");
     if (is_strict) words_.next();
-    if (is_keyword("digraph")) fail("only undirected graphs are read, not");
-    if (!is_keyword("graph")) fail("expected graph, found");
+    const bool is_directed = is_keyword("digraph");
+    if (is_directed && !options_.undirected) {
+      fail("only undirected graphs are read (--undirected drops directions), not");
+    }
+    if (!is_directed && !is_keyword("graph")) fail("expected graph, found");
     words_.next();
     if (words_.peek().is_name()) words_.next();
     words_.expect_mark("{", "behind graph");
@@ -76,7 +79,7 @@ class DotParser final : public GraphParser {
   std::vector<Vertex> read_chain(std::size_t depth) {
     std::vector<Vertex> ends = read_end(depth, true);
     std::vector<Vertex> all = ends;
-    while (words_.peek().is("--")) {
+    while (words_.peek().is("--") || (options_.undirected && words_.peek().is("->"))) {
       const std::size_t at = words_.next().at;
       const std::vector<Vertex> others = read_end(depth, false);
       // Two subgraphs of a few bytes must not claim gigabytes.

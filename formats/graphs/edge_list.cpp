@@ -1,7 +1,10 @@
-// One edge "u v" per line; comments begin with # or %. A line "# vertices N", "% vertices N" or "n
+// One edge "u v" per line, or "u,v"; a weight may follow; comments begin with # or %. A line "# vertices N", "% vertices N" or "n
 // N" begins a graph with N vertices; edges without such a line make a graph up to the largest id.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -14,6 +17,12 @@
 
 namespace ar3d {
 namespace {
+
+/// The names of the columns of a comma list.
+bool is_heading(std::string_view line) {
+  const std::string_view columns = line.substr(0, line.find(',', line.find(',') + 1));
+  return columns == "source,target" || columns == "Source,Target" || columns == "from,to";
+}
 
 constexpr const char* kInAStudy = "in a study the keys base and first_line";
 
@@ -36,11 +45,17 @@ class EdgeListParser final : public GraphParser {
         begin_with(*header);
         begun = true;
       } else if (!is_comment(*line)) {
-        Tokens tokens(input_, *line);
         if (!begun) {
           edges_.begin(std::nullopt);
-          const bool may_be_named = !options_.format.empty() || is_named_edge_list(input_.name());
-          if (may_be_named && begins_with_name(*line)) return read_named(*line);
+          has_commas_ = has_heading_ || is_comma_list(*line);
+          if (is_heading(*line)) {
+            has_heading_ = true;
+            continue;
+          }
+        }
+        Tokens tokens(input_, without_commas(*line));
+        if (!begun) {
+          if ((is_told() || has_heading_) && begins_with_name(*line)) return read_named(*line);
           read_first_line(tokens);
         } else {
           edges_.read_edge(tokens);
@@ -61,7 +76,7 @@ class EdgeListParser final : public GraphParser {
   Graph read_named(std::string_view line) {
     for (std::optional<std::string_view> next = line; next; next = input_.next_line()) {
       if (is_blank(*next) || is_comment(*next)) continue;
-      Tokens tokens(input_, *next);
+      Tokens tokens(input_, without_commas(*next));
       const Vertex u = named_.vertex(tokens.word());
       if (tokens.done()) tokens.fail("expected a second name, the other end of the edge");
       named_.join(u, named_.vertex(tokens.word()), input_.line());
@@ -95,10 +110,35 @@ class EdgeListParser final : public GraphParser {
     header.expect_done("the number of vertices");
     edges_.begin(n);
   }
-  /// "0 1 {}" or "0 1 {'weight': 2}", as networkx writes; anything else behind an edge is refused.
+  /// Is the file called an edge list, by its ending or by --from? Lines of three numbers and of
+  /// names tell nothing.
+  bool is_told() const { return !options_.format.empty() || is_named_edge_list(input_.name()); }
+  static bool is_comma_list(std::string_view line) {
+    const std::size_t behind = line.find_first_not_of("0123456789");
+    return is_heading(line) || (behind > 0 && behind < line.size() && line[behind] == ',');
+  }
+  /// The line with blanks for commas, if it is of a comma list; valid until the next call.
+  std::string_view without_commas(std::string_view line) {
+    if (!has_commas_) return line;
+    row_ = line;
+    std::ranges::replace(row_, ',', ' ');
+    return row_;
+  }
+  /// A weight as networkx' write_weighted_edgelist has it: a number; a whole one only where the
+  /// file is called an edge list.
+  bool is_weight(std::string_view word) const {
+    double value = 0;
+    const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool is_whole = word.find_first_not_of("-0123456789") == std::string_view::npos;
+    return read.ec == std::errc() && read.ptr == word.data() + word.size() &&
+           std::isfinite(value) && (!is_whole || has_commas_ || is_told());
+  }
+  /// Behind an edge: "{}" or "{'weight': 2}", as networkx writes, or one weight; else it is refused.
   void skip_attributes(Tokens& tokens) const {
     Tokens rest = tokens;
-    if (!rest.word().starts_with('{')) tokens.expect_done("the edge");
+    const std::string_view word = rest.word();
+    if (word.starts_with('{') || (is_weight(word) && rest.done())) return;
+    tokens.expect_done("the edge");
   }
 
   void read_first_line(Tokens& tokens) {
@@ -158,6 +198,8 @@ class EdgeListParser final : public GraphParser {
   }
 
   EdgeCollector edges_;
+  bool has_commas_ = false, has_heading_ = false;
+  std::string row_;
   GatheredGraph named_;  // instead, of a list of names
   std::optional<First> first_;
 };
@@ -174,6 +216,7 @@ bool looks_like_edge_list(const InputHead& head) {
   if (first == std::string_view::npos) return true;
   const std::string_view text = head.text.substr(first);
   return is_digit(text[0]) || is_comment(text) || text.starts_with("n ") ||
+         is_heading(text.substr(0, text.find_first_of("\r\n"))) ||
          (head.is_named_edge_list && begins_with_name(text));
 }
 
@@ -183,7 +226,9 @@ GraphFormat edge_list_format() {
   return {
       .name = "edgelist",
       .extensions = {".edges", ".edgelist", ".el", ".ncol", ".txt"},
-      .summary = "one edge \"u v\" per line, comments with # or %, \"# vertices N\" begins a graph",
+      .summary =
+          "one edge \"u v\" or \"u,v\" per line, a weight behind it is skipped; # or % comments, "
+          "\"# vertices N\" begins a graph",
       .detect = looks_like_edge_list,
       .parser = make_parser<EdgeListParser>,
       .writer = make_appending<append_edge_list>};

@@ -58,7 +58,9 @@ class GmlParser final : public GraphParser {
           skip_value(inner);
         });
       } else if (key.text == "directed") {
-        if (value_of(key) != "0") fail(key, "only undirected graphs are read, not");
+        if (value_of(key) != "0" && !options_.undirected) {
+          fail(key, "only undirected graphs are read (--undirected drops directions), not");
+        }
       } else {
         skip_value(key);
       }

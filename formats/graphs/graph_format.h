@@ -24,7 +24,8 @@ struct ReadOptions {
   std::string format = {};  ///< name of a format; empty: detected by content
   unsigned base = 0;        ///< smallest vertex id in edge lists and adjacency lists, 0 or 1
   FirstLine first_line = FirstLine::automatic;
-  bool simplify = false;  ///< loops and parallel edges are dropped; else they are refused
+  bool simplify = false;    ///< loops and parallel edges are dropped; else they are refused
+  bool undirected = false;  ///< arcs are read as edges; else they are refused
   /// A graph may have this many vertices plus 16 per byte of its text; what claims more is refused,
   /// so that a few bytes cannot claim gigabytes.
   std::uint64_t free_vertices = std::uint64_t{1} << 20;

@@ -79,8 +79,10 @@ class GraphmlParser final : public GraphParser {
 
   Graph read(pugi::xml_node graph) const {
     const std::string_view kind = graph.attribute("edgedefault").value();
-    if (kind != "undirected") {
-      fail(graph, fmt::format("edgedefault is {}: only undirected graphs are read", shown(kind)));
+    if (kind != "undirected" && !(kind == "directed" && options_.undirected)) {
+      fail(graph, fmt::format("edgedefault is {}: only undirected graphs are read (--undirected "
+                              "drops directions)",
+                              shown(kind)));
     }
     NodeIds ids;
     std::vector<pugi::xml_node> edge_elements;  // their ends may stand behind them
@@ -121,7 +123,9 @@ class GraphmlParser final : public GraphParser {
 
   Edge read_edge(pugi::xml_node element, const NodeIds& ids) const {
     const std::string_view directed = element.attribute("directed").value();
-    if (directed == "true" || directed == "1") fail(element, "directed edges are not read");
+    if ((directed == "true" || directed == "1") && !options_.undirected) {
+      fail(element, "directed edges are not read (--undirected drops directions)");
+    }
     return {end_of(element, "source", ids), end_of(element, "target", ids)};
   }
   Vertex end_of(pugi::xml_node element, const char* which, const NodeIds& ids) const {

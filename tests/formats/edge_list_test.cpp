@@ -73,7 +73,16 @@ TEST(EdgeList, ReadsOverAttributesOfNetworkx) {
   const std::vector<Graph> graphs = read_text("0 1 {}\n1 2 {'weight': 2.5}\n");
   ASSERT_EQ(graphs.size(), 1u);
   EXPECT_EQ(edge_set(graphs[0]), edge_set(Graph(3, {{0, 1}, {1, 2}})));
-  EXPECT_EQ(refusal("0 1 2.5\n"), "f:1:5: unexpected '2.5' after the edge");
+  EXPECT_EQ(edge_set(read_text("0 1 2.5\n1 2 -1e-3\n").at(0)), edge_set(graphs[0]));
+  EXPECT_EQ(refusal("0 1 3\n"), "f:1:5: unexpected '3' after the edge") << "three ids or a weight?";
+  EXPECT_EQ(edge_set(read_text("0 1 3\n1 2 4\n", {.format = "edgelist"}).at(0)),
+            edge_set(graphs[0]));
+  EXPECT_EQ(refusal("0 1 2.5 7\n"), "f:1:5: unexpected '2.5' after the edge");
+  for (const char* text : {"0,1\n1,2\n", "0,1,0.5\n1,2,7\n", "source,target\n0,1\n1,2\n",
+                           "source,target,weight\na,b,1\nb,c,2\n"}) {
+    EXPECT_EQ(edge_set(read_text(text).at(0)), edge_set(graphs[0])) << text;
+  }
+  EXPECT_EQ(refusal("0,1\n1,x\n"), "f:2:3: expected a vertex id, found 'x'");
   EXPECT_EQ(refusal("0 1 {}\n1 0 {}\n"), "f:2: edge (1, 0) is parallel to an earlier edge");
 }
 

@@ -23,11 +23,27 @@ struct Written {
 
 /// What is read as the graph that was written; a list of edges has no vertices alone.
 std::vector<Written> graphs() {
-  return {{{"networkx.g6", "networkx-no-header.g6", "networkx.s6", "networkx-attributes.edgelist",
-            "networkx-plain.edgelist", "networkx-rich.edgelist", "networkx.graphml",
-            "networkx-rich.graphml", "networkx-utf16.graphml", "networkx-latin1.graphml",
-            "networkx-prefixed.graphml", "igraph.edgelist", "igraph-plain.ncol", "igraph.graphml",
-            "igraph-rich.graphml", "networkx.adjlist", "networkx.gml", "igraph.gml", "igraph.dot"},
+  return {{{"networkx.g6",
+            "networkx-no-header.g6",
+            "networkx.s6",
+            "networkx-attributes.edgelist",
+            "networkx-plain.edgelist",
+            "networkx-rich.edgelist",
+            "networkx-weighted.edgelist",
+            "networkx-commas.edgelist",
+            "networkx.graphml",
+            "networkx-rich.graphml",
+            "networkx-utf16.graphml",
+            "networkx-latin1.graphml",
+            "networkx-prefixed.graphml",
+            "igraph.edgelist",
+            "igraph-plain.ncol",
+            "igraph.graphml",
+            "igraph-rich.graphml",
+            "networkx.adjlist",
+            "networkx.gml",
+            "igraph.gml",
+            "igraph.dot"},
            10,
            kPetersen},
           {{"networkx-lonely.s6", "networkx-lonely.graphml", "igraph-lonely.graphml"},
@@ -36,17 +52,24 @@ std::vector<Written> graphs() {
           {{"networkx-lonely.edgelist", "igraph-lonely.edgelist"}, 3, {{0, 1}, {1, 2}}}};
 }
 
+constexpr const char* kPajek =
+    ":1: this is Pajek, which is not read; examples/convert.py makes GraphML of it: "
+    "networkx.write_graphml(networkx.Graph(networkx.read_pajek(FILE)), OUTPUT)";
+
 /// What is refused, and with which words behind the file's name.
 const std::map<std::string, std::string> kRefused = {
     {"networkx-directed.graphml",
-     ":9:3: edgedefault is 'directed': only undirected graphs are read"},
-    {"igraph-directed.graphml", ":7:3: edgedefault is 'directed': only undirected graphs are read"},
-    {"networkx-weighted.edgelist", ":1:5: unexpected '0.5' after the edge"},
-    {"networkx-commas.edgelist", ":1:1: expected a vertex id, found '0,1'"},
+     ":9:3: edgedefault is 'directed': only undirected graphs are read (--undirected drops "
+     "directions)"},
+    {"igraph-directed.graphml",
+     ":7:3: edgedefault is 'directed': only undirected graphs are read (--undirected drops "
+     "directions)"},
     {"networkx-multiline.adjlist", ":5:3: expected a vertex id, found '{}'"},
-    {"networkx.gexf", ":1: no <graph> element inside a <graphml> element"},
-    {"networkx.net", ":1: this is no graph format known here: '*vertices 10'"},
-    {"igraph.net", ":1: this is no graph format known here: '*Vertices 10'"},
+    {"networkx.gexf",
+     ":1: this is GEXF, which is not read; examples/convert.py makes GraphML of it: "
+     "networkx.write_graphml(networkx.Graph(networkx.read_gexf(FILE)), OUTPUT)"},
+    {"networkx.net", kPajek},
+    {"igraph.net", kPajek},
     {"igraph.lgr", ":1: this is no graph format known here: 'LEDA.GRAPH'"},
     {"igraph.lgl", ":2:1: expected a vertex id, found 'v1'"},
     {"igraph-matrix.adjacency", ":1:5: unexpected '0' after the edge"},

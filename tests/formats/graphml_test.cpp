@@ -87,7 +87,8 @@ TEST(Graphml, RefusesWhatIsNotAPlainGraph) {
   EXPECT_EQ(refusal(document("<hyperedge/>\n")), "f:6:1: hyperedges are not read");
   EXPECT_EQ(refusal(document("<node/>\n")), "f:6:1: a node without an id");
   EXPECT_EQ(refusal("<graphml>\n <graph edgedefault=\"directed\"/></graphml>"),
-            "f:2:2: edgedefault is 'directed': only undirected graphs are read");
+            "f:2:2: edgedefault is 'directed': only undirected graphs are read (--undirected "
+            "drops directions)");
 }
 
 TEST(Graphml, EntitiesOfTheDocumentAreNotExpanded) {
