@@ -7,13 +7,17 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/apps/view.h"
 #include "ar3d/base/error.h"
+#include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/catalog.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/drawings/embedding.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/certificate.h"
@@ -88,19 +92,14 @@ struct PythonDrawing {
 
 void append(Point p, std::vector<std::int64_t>& to) { to.insert(to.end(), {p.x, p.y, p.z}); }
 
-std::shared_ptr<PythonDrawing> draw_graph(const Graph& graph, const std::string& algorithm,
-                                          const Values& options) {
-  const py::gil_scoped_release released;
-  auto made = std::make_shared<PythonDrawing>(
-      PythonDrawing{draw(find_algorithm(algorithm), graph, settings_of(options)),
-                    graph.shared_edges(),
-                    {},
-                    {},
-                    {},
-                    {}});
-  if (made->drawing.real != nullptr) {
-    throw InputError("algorithm " + algorithm + " draws in a real type, which has no integers");
+std::shared_ptr<PythonDrawing> with_points(Drawing drawing,
+                                           std::shared_ptr<const std::vector<Edge>> edges) {
+  if (drawing.real != nullptr) {
+    throw InputError("algorithm " + drawing.algorithm() +
+                     " draws in a real type, which has no integers");
   }
+  auto made = std::make_shared<PythonDrawing>(
+      PythonDrawing{std::move(drawing), std::move(edges), {}, {}, {}, {}});
   for (Vertex v = 0; v < made->drawing.num_vertices(); ++v) {
     append(made->drawing.vertex(v), made->vertices);
   }
@@ -111,6 +110,49 @@ std::shared_ptr<PythonDrawing> draw_graph(const Graph& graph, const std::string&
   });
   made->box = bounding_box(made->drawing);
   return made;
+}
+
+/// @param names  of the vertices; none: their numbers.
+std::shared_ptr<PythonDrawing> draw_graph(const Graph& graph, const std::string& algorithm,
+                                          const Values& options, std::vector<std::string> names) {
+  const py::gil_scoped_release released;
+  Drawing drawing = draw(find_algorithm(algorithm), graph, settings_of(options));
+  names = telling_names(std::move(names));
+  if (!names.empty()) {
+    drawing.names = std::make_shared<const std::vector<std::string>>(std::move(names));
+  }
+  return with_points(std::move(drawing), graph.shared_edges());
+}
+
+/// The drawings of a text of JSON lines, named `place` in messages.
+std::vector<std::shared_ptr<PythonDrawing>> drawings_in(TextInput input) {
+  const py::gil_scoped_release released;
+  DrawingJsonlReader reader(std::move(input));
+  std::vector<std::shared_ptr<PythonDrawing>> drawings;
+  while (std::optional<DrawingJsonlReader::Line> line = reader.next()) {
+    if (const auto* undrawn = std::get_if<UndrawnGraph>(&*line)) {
+      throw InputError(reader.where() + ": it was not drawn: " + undrawn->error);
+    }
+    Drawing& drawing = std::get<Drawing>(*line);
+    auto edges = std::make_shared<std::vector<Edge>>();
+    for (EdgeId e = 0; e < drawing.num_edges(); ++e) edges->push_back(drawing.edge(e));
+    drawings.push_back(with_points(std::move(drawing), edges));
+  }
+  return drawings;
+}
+
+std::string line_of(const PythonDrawing& drawing) {
+  std::string line;
+  append_drawing_line(line, drawing.drawing);
+  return line;
+}
+
+/// The only graph of a text in any format.
+Graph graph_in(const std::string& text) {
+  GraphReader reader(TextInput("the text", bytes_of(text + "\n")), {});
+  std::optional<Graph> graph = reader.next();
+  if (reader.next()) throw InputError("the text holds several graphs; one is wanted");
+  return std::move(*graph);
 }
 
 /// One of the drawing's lists, shared with it.
@@ -216,6 +258,12 @@ void add_drawing(py::module_& module) {
   drawing.def("save", &save, py::arg("path"), py::arg("format") = "", py::arg("force") = false,
               "Writes the drawing; the format is the path's ending or a name of "
               "`ar3d draw --help`. FileExistsError unless force; ValueError.");
+  property("names", [](const PythonDrawing& d) {
+    return d.drawing.names == nullptr ? std::vector<std::string>() : *d.drawing.names;
+  });
+  drawing.def(py::pickle(&line_of, [](const std::string& line) {
+    return drawings_in(TextInput("the pickle", bytes_of(line))).at(0);
+  }));
   drawing.def("__repr__", [](const PythonDrawing& d) { return text_of(d); });
 }
 
@@ -272,7 +320,10 @@ PYBIND11_MODULE(_core, module) {
   add_graph(module);
   add_drawing(module);
   add_certificate(module);
-  module.def("draw", &draw_graph, py::arg("graph"), py::arg("algorithm"), py::arg("options"));
+  module.def("draw", &draw_graph, py::arg("graph"), py::arg("algorithm"), py::arg("options"),
+             py::arg("names"));
+  module.def("load", [](const std::string& path) { return drawings_in(TextInput(path)); });
+  module.def("graph_in", &graph_in, py::arg("text"));
   module.def("certify", &certify_drawing, py::arg("graph"), py::arg("drawing"),
              py::arg("algorithm"));
   module.def("generate", &generate_graph, py::arg("family"), py::arg("n"), py::arg("seed"),

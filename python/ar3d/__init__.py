@@ -2,11 +2,11 @@
 
     import ar3d, networkx
     graph = networkx.petersen_graph()
-    drawing = ar3d.draw(graph, "diamond")
+    drawing = ar3d.draw(graph)
     assert ar3d.certify(graph, drawing)
     drawing.vertices, drawing.bends, drawing.box      # numpy arrays of integers
 
-Graphs are networkx graphs, arrays of edges, scipy sparse matrices or ar3d.Graph. What is wrong with an argument is a
+Graphs are networkx or igraph graphs, texts such as graph6, arrays of edges, scipy sparse matrices or ar3d.Graph. What is wrong with an argument is a
 ValueError. Arrays that come out are over memory that C++ made: nothing is copied, and they cannot be written to.
 """
 from __future__ import annotations
@@ -23,7 +23,12 @@ from ._core import Certificate, Drawing, Graph, __version__, algorithms, familie
 from . import _core
 
 __all__ = ["Certificate", "Drawing", "Graph", "algorithms", "as_graph", "certify", "draw", "families", "generate",
-           "plot", "polylines", "read_results"]
+           "load", "plot", "polylines", "read_results", "run_study"]
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "__version__"]
+
 
 GraphLike = Union[Graph, numpy.ndarray, Any]
 
@@ -31,20 +36,26 @@ GraphLike = Union[Graph, numpy.ndarray, Any]
 def as_graph(graph: GraphLike, num_vertices: int | None = None) -> Graph:
     """The graph of whatever holds one.
 
-    graph: an ar3d.Graph; a networkx graph (its nodes, in their order, are the vertices 0 … n - 1); a scipy sparse
-        matrix (n x n; entry (u, v) that is not 0, or (v, u), or both, is the edge uv); an array or list of shape
+    graph: an ar3d.Graph; a networkx or igraph graph (its nodes, in their order, are the vertices 0 … n - 1); a text
+        with one graph in any format of the program, such as graph6; a scipy sparse matrix (n x n; entry (u, v) that is not 0, or (v, u), or both, is the edge uv); an array or list of shape
         (m, 2) of vertices, in any order.
     num_vertices: of an array of edges; left out, the largest vertex and one more.
     Raises ValueError for loops, parallel edges, directed graphs, and vertices that there are not. Cost: O(n + m).
     """
     if num_vertices is not None:
         num_vertices = _integer(num_vertices, "num_vertices")
-        if isinstance(graph, Graph) or hasattr(graph, "adj") or hasattr(graph, "tocoo"):
+        if isinstance(graph, (Graph, str)) or any(hasattr(graph, own) for own in ("adj", "tocoo", "get_edgelist")):
             raise ValueError("num_vertices is of an array of edges; this graph has its own")
     if isinstance(graph, Graph):
         return graph
     if hasattr(graph, "adj") and hasattr(graph, "nodes"):
         return _from_networkx(graph)
+    if hasattr(graph, "get_edgelist") and hasattr(graph, "vcount"):
+        if graph.is_directed():
+            raise ValueError("the igraph graph is directed; graph.as_undirected() is not")
+        return Graph(graph.vcount(), numpy.array(graph.get_edgelist(), dtype=numpy.int64).reshape(-1, 2))
+    if isinstance(graph, str):
+        return _core.graph_in(graph)
     if hasattr(graph, "tocoo"):
         return _from_sparse(graph)
     edges = numpy.asarray(graph)
@@ -100,17 +111,49 @@ def _from_sparse(matrix: Any) -> Graph:
     return Graph(matrix.shape[0], numpy.unique(edges, axis=0) if len(edges) else edges)
 
 
-def draw(graph: GraphLike, algorithm: str = "diamond", **options: int) -> Drawing:
+def _names_of(graph: Any) -> list[str]:
+    if hasattr(graph, "adj") and hasattr(graph, "nodes"):
+        return [str(node) for node in graph.nodes]
+    if hasattr(graph, "vs") and "name" in graph.vs.attributes():
+        return [str(name) for name in graph.vs["name"]]
+    return []
+
+
+def draw(graph: GraphLike, algorithm: str | None = None, **options: int) -> Drawing:
     """Draws a graph; the same graph, algorithm and options give the same drawing.
 
-    algorithm: one of algorithms(). options: those that `ar3d list algorithms` names, such as effort=2.
+    algorithm: one of algorithms(); left out, grid up to degree 3 and diamond beyond, as of the program. options: those that `ar3d list algorithms` names, such as effort=2.
     Of the drawing: `vertices` (n x 3), `bends` (k x 3; those of edge e, from its smaller end, are
     bends[bend_offsets[e]:bend_offsets[e + 1]]), `edges` (m x 2, ascending), `box` (2 x 3: its lowest and highest
     corner), all int64 but edges (uint32); the squared length of an integer vector u is u @ gram @ u /
-    gram_denominator; `in_space` turns integer points into points where angles are true; `save` writes a file.
+    gram_denominator; `names` are those of a networkx or igraph graph's nodes; `in_space` turns integer points into points where angles are true; `save` writes a file.
     Raises ValueError for an unknown name and for a vertex whose degree the algorithm does not draw.
     """
-    return _core.draw(as_graph(graph), _name(algorithm, "algorithm"), _settings(options))
+    given = as_graph(graph)
+    if algorithm is None:
+        algorithm = "grid" if given.max_degree <= 3 else "diamond"
+    return _core.draw(given, _name(algorithm, "algorithm"), _settings(options), _names_of(graph))
+
+
+def load(path: Any) -> list[Drawing]:
+    """The drawings of a file of JSON lines, as `ar3d draw` and Drawing.save write it. Raises ValueError where it is none."""
+    return _core.load(os.fspath(path))
+
+
+def _html_of(drawing: Drawing) -> str:
+    """What a notebook shows of a drawing: the page of `ar3d view` in a frame."""
+    import html
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as folder:
+        page = os.path.join(folder, "drawing.html")
+        drawing.save(page)
+        with open(page, encoding="utf-8") as file:
+            text = html.escape(file.read())
+    return f'<iframe title="The drawing in 3D" style="width:100%;height:480px;border:0" srcdoc="{text}"></iframe>'
+
+
+Drawing._repr_html_ = _html_of
 
 
 def certify(graph: GraphLike, drawing: Drawing, algorithm: str | None = None) -> Certificate:
@@ -132,7 +175,12 @@ def generate(family: str, n: int, seed: int = 0, **parameters: int) -> Graph:
     n, seed = _integer(n, "n"), _integer(seed, "seed")
     if not (0 <= n < 2**32 - 1 and 0 <= seed < 2**64):
         raise ValueError("n is from 0 to 2^32 - 2, the seed from 0 to 2^64 - 1")
-    return _core.generate(_name(family, "family"), n, seed, _settings(parameters))
+    graph = _core.generate(_name(family, "family"), n, seed, _settings(parameters))
+    if graph.num_vertices != n:
+        import warnings
+
+        warnings.warn(f"{family} has no graph with {n} vertices: this has {graph.num_vertices}", stacklevel=2)
+    return graph
 
 
 def polylines(drawing: Drawing) -> list[numpy.ndarray]:
@@ -162,6 +210,45 @@ def read_results(path: Any, table: str = "runs") -> Any:
         found = {name: attributes.get(f"{name}.{kind}", "") for name in frame.columns}
         frame.attrs[key] = {name: text for name, text in found.items() if text}
     return frame
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key} = {_toml(one)}" for key, one in value.items()) + "}"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    import json
+
+    return json.dumps(value, ensure_ascii=True)
+
+
+def run_study(study: Any, output: Any = None, *arguments: str) -> Any:
+    """Runs a study with the program `ar3d` and returns its rows as read_results does.
+
+    study: a specification's path, the name of a study of the program, or a dict with the keys of a specification.
+    output: the results file; left out, nothing is kept. arguments: further ones of `ar3d study run`.
+    The program is that of $AR3D, else of $PATH. Rows that are violated or incomplete are rows, too. Raises ValueError
+    with the program's message where the study cannot be run.
+    """
+    import shutil
+    import subprocess
+    import tempfile
+
+    program = os.environ.get("AR3D") or shutil.which("ar3d")
+    if program is None:
+        raise FileNotFoundError("the program ar3d is not in $PATH; $AR3D says where it is")
+    with tempfile.TemporaryDirectory() as folder:
+        if isinstance(study, dict):
+            text = "".join(f"{key} = {_toml(value)}\n" for key, value in study.items())
+            study = os.path.join(folder, "study.toml")
+            with open(study, "w", encoding="utf-8") as file:
+                file.write(text)
+        results = os.path.join(folder, "results.h5") if output is None else os.fspath(output)
+        done = subprocess.run([program, "study", "run", "--quiet", os.fspath(study), "-o", results, *arguments],
+                              capture_output=True, text=True)
+        if done.returncode not in (0, 4, 5):
+            raise ValueError(done.stderr.strip())
+        return read_results(results)
 
 
 def plot(drawing: Drawing, ax: Any = None, **line: Any) -> Any:

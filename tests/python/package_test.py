@@ -1,6 +1,7 @@
 """The Python package, as its users import it. Run by ctest (python.package) with PYTHONPATH=build/…/python."""
 import os
 import pathlib
+import pickle
 import re
 import subprocess
 import sys
@@ -50,6 +51,42 @@ class Draw(unittest.TestCase):
             self.assertFalse(a.flags.writeable)
             self.assertFalse(a.flags.owndata)
         self.assertEqual(address(drawing.edges), address(graph.edges))
+
+    def test_travels_with_its_names(self):
+        graph = networkx.relabel_nodes(networkx.petersen_graph(), "node {}".format)
+        drawing = ar3d.draw(graph)
+        self.assertEqual((drawing.algorithm, drawing.names), ("grid", [f"node {v}" for v in range(10)]))
+        self.assertEqual(ar3d.draw(networkx.complete_graph(5)).algorithm, "diamond")
+        self.assertEqual(ar3d.draw(networkx.complete_graph(5)).names, [], "numbers say nothing")
+        with tempfile.TemporaryDirectory() as folder:
+            drawing.save(folder + "/d.jsonl")
+            loaded = ar3d.load(pathlib.Path(folder, "d.jsonl"))
+        for other in [pickle.loads(pickle.dumps(drawing)), *loaded]:
+            self.assertTrue((other.vertices == drawing.vertices).all() and (other.bends == drawing.bends).all())
+            self.assertEqual(other.names, drawing.names)
+            self.assertTrue(ar3d.certify(graph, other))
+        self.assertIn("node 7", drawing._repr_html_())
+        self.assertTrue(drawing._repr_html_().startswith("<iframe "))
+        self.assertEqual(dir(ar3d), sorted([*ar3d.__all__, "__version__"]))
+
+    def test_takes_texts_and_igraph_and_warns(self):
+        import igraph
+        for graph in ("D~{", igraph.Graph.Full(5)):
+            self.assertEqual(ar3d.as_graph(graph).num_edges, 10)
+        named = igraph.Graph([(0, 1)])
+        named.vs["name"] = ["a", "b"]
+        self.assertEqual(ar3d.draw(named).names, ["a", "b"])
+        with self.assertRaisesRegex(ValueError, "directed"):
+            ar3d.as_graph(igraph.Graph([(0, 1)], directed=True))
+        with self.assertWarnsRegex(UserWarning, "no graph with 7 vertices: this has 6"):
+            ar3d.generate("random-cubic", 7)
+
+    def test_runs_a_study(self):
+        os.environ["AR3D"] = str(pathlib.Path(sys.argv[1]).resolve())
+        rows = ar3d.run_study({"study": "t", "sweep": [{"families": "cycle", "sizes": [5, 9], "algorithms": "diamond"}]})
+        self.assertEqual(list(rows.n), [5, 9])
+        with self.assertRaisesRegex(ValueError, "unknown family 'circle'"):
+            ar3d.run_study({"study": "t", "sweep": [{"families": "circle", "sizes": 5, "algorithms": "diamond"}]})
 
     def test_is_saved_as_the_program_writes_it_and_replaced_if_asked(self):
         drawing = ar3d.draw(networkx.petersen_graph(), "grid")
