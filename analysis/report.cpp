@@ -129,7 +129,9 @@ std::string scaling_csv(const StudyAnalysis& analysis) {
 
 void rows_csv(const RowView& rows, const TextSink& write) {
   const std::vector<Column> metrics = columns_of_kind(ColumnKind::metric);
-  std::string csv = "row,algorithm,options,family,parameters,n,m,seed,status,certificate";
+  std::string csv =
+      "row,key,algorithm,options,family,parameters,graph_name,group,instance,n,m,seed,status,"
+      "certificate";
   for (const Column& metric : metrics) csv += "," + metric.name;
   for (const char* box : {"instance_bound", "theorem_bound", "published_bound", "slack"}) {
     for (const char axis : {'x', 'y', 'z'}) csv += fmt::format(",{}_{}", box, axis);
@@ -139,10 +141,14 @@ void rows_csv(const RowView& rows, const TextSink& write) {
   for (std::size_t row = 0; row < rows.count; ++row) {
     const RunRecord& run = rows.read(row);
     std::vector<std::string> fields = {std::to_string(row),
+                                       run.row_key,
                                        csv_field(run.algorithm),
                                        csv_field(options_and_level(curve_of(run))),
                                        csv_field(run.family),
                                        csv_field(run.parameters),
+                                       csv_field(run.graph_name),
+                                       csv_field(run.group),
+                                       integer(run.instance_index),
                                        integer(run.n),
                                        integer(run.m),
                                        std::to_string(run.seed),

@@ -3,6 +3,7 @@
 #include "ar3d/analysis/statistics.h"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -27,6 +28,24 @@ double quantile(std::vector<double> values, double p) {
 }
 
 double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
+
+Interval median_interval(std::vector<double> values) {
+  if (values.empty()) return {kNone, kNone};
+  std::sort(values.begin(), values.end());
+  const boost::math::binomial below(static_cast<double>(values.size()), 0.5);
+  std::size_t out = 0;  // values left out on either side
+  while (out + 1 < values.size() / 2 &&
+         boost::math::cdf(below, static_cast<double>(out)) <= 0.025) {
+    ++out;
+  }
+  return {values[out], values[values.size() - 1 - out]};
+}
+
+double sign_test(std::size_t below, std::size_t above) {
+  if (below + above == 0) return 1;
+  const boost::math::binomial half(static_cast<double>(below + above), 0.5);
+  return std::min(1.0, 2 * boost::math::cdf(half, static_cast<double>(std::min(below, above))));
+}
 
 double mean(std::span<const double> values) {
   if (values.empty()) return kNone;

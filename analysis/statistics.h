@@ -18,6 +18,12 @@ struct Interval {
 double quantile(std::vector<double> values, double p);
 double median(std::vector<double> values);
 
+/// An interval that holds the median with 95 % or more, by order statistics (Conover, Practical
+/// Nonparametric Statistics, 3.2); all values if they are fewer than six. O(k log k).
+Interval median_interval(std::vector<double> values);
+/// The two-sided p of the sign test of so many differences below and above 0; 1 without any.
+double sign_test(std::size_t below, std::size_t above);
+
 /// NaN for an empty list.
 double mean(std::span<const double> values);
 

@@ -320,6 +320,13 @@ void add_draw(CLI::App& app, int& exit_code) {
       ->check(finite_number(true));
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
   add_force(*verb, arguments->force);
+  for (const char* of_pictures : {"--turn", "--tilt", "--perspective", "--stretch", "--tube"}) {
+    verb->get_option(of_pictures)->group("Options of pictures");
+  }
+  for (const char* of_input :
+       {"--from", "--base", "--first-line", "--undirected", "--trust-sizes"}) {
+    verb->get_option(of_input)->group("Options of the input");
+  }
   verb->footer(
       drawing_formats_text() +
       "Example: nauty-geng -D4 7 | ar3d draw - --algorithm diamond --set effort=2 | ar3d verify -");

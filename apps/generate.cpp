@@ -114,14 +114,14 @@ void add_generate(CLI::App& app, int&) {
   verb->add_option("--seed", arguments->seed, "seed of the first graph; each further one adds 1")
       ->check(whole_number(0));
   verb->add_option("--count", arguments->count, "number of graphs")->check(whole_number(1));
-  add_repeated(*verb, "--parameter", arguments->parameters,
+  add_repeated(*verb, "--set,--parameter", arguments->parameters,
                "a parameter of the family, name=integer; may be repeated");
   verb->add_option("--format", arguments->format,
                    "graph format; by the file's ending, sparse6 without one");
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
   add_force(*verb, arguments->force);
   verb->footer(
-      "Example: ar3d generate generalised-petersen -n 100 --parameter k=7 -o gp.s6\n"
+      "Example: ar3d generate generalised-petersen -n 100 --set k=7 -o gp.s6\n"
       "or:      ar3d generate petersen");
   verb->callback([arguments] { generate_graphs(*arguments); });
 }

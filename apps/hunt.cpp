@@ -30,6 +30,7 @@ namespace {
 struct HuntArguments {
   std::string algorithm;
   std::vector<std::string> settings;  // of the algorithm
+  std::string study;                  // whose program the algorithm may be
   std::string seeded_fault;
   std::string measure = "side";
   std::string against = "theorem";
@@ -49,6 +50,7 @@ constexpr EdgeId kMostEdgesInPicture = 2000;
 std::string algorithm_words(const HuntArguments& arguments) {
   std::string words = " --algorithm " + shell_word(arguments.algorithm);
   for (const std::string& option : arguments.settings) words += " --set " + shell_word(option);
+  if (!arguments.study.empty()) words += " --study " + shell_word(arguments.study);
   return words;
 }
 
@@ -60,6 +62,10 @@ std::string draw_line(const HuntArguments& arguments) {
 /// The lines with which anybody sees the same again.
 std::string replay_lines(const Trial& trial, const HuntArguments& arguments) {
   const std::string graph = shell_word(arguments.output + ".s6");
+  if (!arguments.study.empty()) {
+    return fmt::format("ar3d shrink {}{} -o {}\n", graph, algorithm_words(arguments),
+                       shell_word(arguments.output + "-again"));
+  }
   std::string lines =
       fmt::format("ar3d verify {} --graphs {}\n", shell_word(arguments.output + ".jsonl"), graph);
   if (arguments.seeded_fault.empty()) {
@@ -74,6 +80,8 @@ std::string replay_lines(const Trial& trial, const HuntArguments& arguments) {
 void add_subject_options(CLI::App& verb, HuntArguments& arguments) {
   verb.add_option("--algorithm", arguments.algorithm, "an algorithm of `ar3d list algorithms`")
       ->required();
+  verb.add_option("--study", arguments.study,
+                  "a specification whose [[algorithm]] the algorithm may be: a program of yours");
   add_repeated(verb, "--set", arguments.settings,
                "an option of the algorithm, name=integer; may be repeated");
   verb.add_option("--measure", arguments.measure,
@@ -116,9 +124,10 @@ void refuse_unsafe_exhibit(const HuntArguments& arguments) {
 
 /// @throws InputError naming what is unknown.
 Subject subject_of(const HuntArguments& arguments) {
-  const Algorithm& algorithm = find_algorithm(arguments.algorithm);
+  const StudySpec spec = arguments.study.empty() ? StudySpec() : load_study(arguments.study);
   Subject subject;
-  subject.choice = {&algorithm, complete_options(algorithm, parse_settings(arguments.settings))};
+  subject.choice = algorithm_choice(spec, arguments.algorithm, parse_settings(arguments.settings));
+  if (subject.choice.program) subject.drawer = std::make_shared<ExternalDrawer>();
   if (!arguments.seeded_fault.empty()) {
     subject.fault = &find_seeded_fault(arguments.seeded_fault);
   }
@@ -156,7 +165,10 @@ void write_exhibit(const Subject& subject, const Trial& trial, const HuntArgumen
   std::string graph;
   append_sparse6(graph, trial.graph);
   write_file_atomically(prefix + ".s6", graph);
-  if (trial.failure != "internal_error") {
+  const bool is_drawn = trial.failure != "internal_error" &&
+                        trial.failure != to_string(RunStatus::crashed) &&
+                        trial.failure != to_string(RunStatus::timeout);
+  if (is_drawn) {
     const Drawing drawing = draw_subject(subject, trial.graph);
     std::string line;
     append_drawing_line(line, drawing);
@@ -275,7 +287,7 @@ void add_hunt(CLI::App& app, int& exit_code) {
           ->excludes(verb->get_option("--parameter"))
           ->excludes(verb->get_option("-n"));
   add_graph_input_options(*verb, arguments->reading);
-  for (const char* name : {"--from", "--base", "--first-line", "--trust-sizes"}) {
+  for (const char* name : {"--from", "--base", "--first-line", "--undirected", "--trust-sizes"}) {
     verb->get_option(name)->needs(graphs);
   }
   verb->add_option("--seed", options.seed, "seed of the search")->check(whole_number(0));

@@ -133,7 +133,7 @@ void print_list(const std::string& what) {
     for (const Family& row : families()) print_family(row);
   }
   if (wanted("named-graphs")) {
-    title("named graphs (family `named`, --parameter index=NUMBER)");
+    title("named graphs (family `named`, --set index=NUMBER)");
     std::size_t index = 0;
     for (const NamedGraph& row : named_graphs()) {
       say("{:2} {} (n = {}): {}\n", index++, row.name, row.num_vertices, row.summary);

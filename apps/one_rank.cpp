@@ -1,9 +1,24 @@
 // The program without MPI is a single rank. The program for mpirun links mpi/mpi_ranks.cpp instead
 // of this file.
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "ar3d/base/error.h"
 #include "join_ranks.h"
 
 namespace ar3d {
 
-std::unique_ptr<Ranks> join_ranks() { return std::make_unique<Ranks>(); }
+std::unique_ptr<Ranks> join_ranks() {
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "MPI_LOCALNRANKS"}) {
+    const char* const ranks = std::getenv(variable);
+    if (ranks == nullptr || std::atoi(ranks) < 2) continue;
+    throw InputError(fmt::format(
+        "mpirun started {} of this program, which knows nothing of the others: ar3d-mpi shares the "
+        "rows",
+        ranks));
+  }
+  return std::make_unique<Ranks>();
+}
 
 }  // namespace ar3d

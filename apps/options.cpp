@@ -85,6 +85,7 @@ void add_making_options(CLI::App& verb, SessionPolicy& policy) {
 
 ReadOptions GraphInput::read_options() const {
   ReadOptions chosen = options;
+  chosen.simplify |= chosen.undirected;
   if (first_line == "edge") chosen.first_line = FirstLine::edge;
   if (trust_sizes) chosen.free_vertices = std::numeric_limits<Vertex>::max();
   if (first_line == "header") chosen.first_line = FirstLine::header;
@@ -99,6 +100,8 @@ void add_edge_list_options(CLI::App& verb, GraphInput& input) {
                   "what a first line 'a b' of an edge list is where that is open: edge, or header "
                   "(numbers of vertices and edges)")
       ->check(one_of({"automatic", "edge", "header"}));
+  verb.add_flag("--undirected", input.options.undirected,
+                "read arcs of directed graphs as edges; loops and parallel ones are dropped then");
 }
 
 void add_graph_input_options(CLI::App& verb, GraphInput& input) {

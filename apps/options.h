@@ -48,7 +48,7 @@ struct GraphInput {
   ReadOptions read_options() const;
 };
 
-/// The options --base and --first-line.
+/// The options --base, --first-line and --undirected.
 void add_edge_list_options(CLI::App& verb, GraphInput& input);
 
 /// These and --from and --trust-sizes.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +15,8 @@
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/formats/catalog.h"
+#include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/store/journal/journal_format.h"
 
 namespace ar3d {
@@ -122,6 +125,23 @@ void refuse_unsafe_outputs(const VerbFiles& files) {
   for (const std::string& output : outputs) {
     if (is_file_name(output)) remove_leftovers(output);
   }
+}
+
+void refuse_foreign_ending(const std::string& path, const std::vector<std::string>& own) {
+  if (!is_file_name(path)) return;
+  const std::string ending = path_ending(path);
+  if (ending.empty() || std::ranges::count(own, ending) > 0) return;
+  const auto is_of = [&](const auto& format) {
+    return std::ranges::count(format.extensions, ending) > 0;
+  };
+  constexpr std::array<std::string_view, 9> kOthers = {".csv", ".h5", ".hdf5", ".pdf", ".png",
+                                                       ".jpg", ".md", ".toml", ".tex"};
+  if (std::ranges::count(kOthers, ending) == 0 && std::ranges::none_of(graph_formats(), is_of) &&
+      std::ranges::none_of(drawing_formats(), is_of)) {
+    return;
+  }
+  throw InputError(
+      fmt::format("{}: this file is written as {}, not as {}", path, own.front(), ending));
 }
 
 std::vector<std::string> files_of_study(const StudyIdentity& identity, const std::string& results) {

@@ -34,6 +34,10 @@ struct VerbFiles {
 /// @throws InputError naming the file and what it is.
 void refuse_unsafe_outputs(const VerbFiles& files);
 
+/// Refuses an ending that says another format than the file is written in.
+/// @param own  endings that fit, the first of them to be advised. @throws InputError naming both.
+void refuse_foreign_ending(const std::string& path, const std::vector<std::string>& own);
+
 /// Returns what a row of a study is made from besides its results file: the files of its graphs,
 /// and those of its programs' commands that are files.
 std::vector<std::string> files_of_study(const StudyIdentity& identity, const std::string& results);

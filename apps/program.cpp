@@ -67,12 +67,13 @@ std::string nearest_word(const CLI::App& verb, const std::string& word) {
   return ar3d::did_you_mean(word.substr(0, word.find('=')), {names.begin(), names.end()});
 }
 
-/// Is that the name of an algorithm's option (--set) or of a family's parameter (--parameter)?
+/// Is that the name of an algorithm's option (--set) or of a family's parameter (--parameter, which
+/// `generate` also calls --set)?
 bool is_setting(const CLI::Option& option, const std::string& name) {
   const auto has = [&](const std::vector<ar3d::SettingSpec>& settings) {
     return std::ranges::any_of(settings, [&](const auto& one) { return one.name == name; });
   };
-  return (option.check_lname("set") &&
+  return (option.check_lname("set") && !option.check_lname("parameter") &&
           std::ranges::any_of(ar3d::algorithms(), has, &ar3d::Algorithm::options)) ||
          (option.check_lname("parameter") &&
           std::ranges::any_of(ar3d::families(), has, &ar3d::Family::parameters));
@@ -90,7 +91,7 @@ std::string meant_by(const CLI::App& verb, const std::vector<std::string>& words
   const std::string value = equals < word.size() ? word.substr(equals + 1) : has_next ? at[1] : "…";
   for (const CLI::Option* option : verb.get_options()) {
     if (is_setting(*option, name)) {
-      return fmt::format("; did you mean '{} {}={}'?", option->get_name(), name, value);
+      return fmt::format("; did you mean '--{} {}={}'?", option->get_lnames().front(), name, value);
     }
   }
   return nearest_word(verb, word);
@@ -170,6 +171,10 @@ int run(int argc, char** argv) {
   ar3d::add_shrink(app, exit_code);
   add_help(app);
   leave_out_empty_defaults(app);
+  if (argc == 1) {
+    ar3d::say(stderr, "{}", app.help());
+    return ar3d::kUsage;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -40,6 +40,11 @@ struct ReportArguments {
 int write_report(const ReportArguments& arguments) {
   const std::string results = results_path_of(arguments.results);
   const std::string path = arguments.output.empty() ? report_path(results) : arguments.output;
+  refuse_foreign_ending(path, {".html", ".htm"});
+  for (const std::string* csv : {&arguments.csv, &arguments.growth, &arguments.rows}) {
+    refuse_foreign_ending(*csv, {".csv", ".txt"});
+  }
+  refuse_foreign_ending(arguments.json, {".json"});
   if (arguments.output.empty()) refuse_foreign_page(path, results);
   refuse_unsafe_outputs(
       {.inputs = {arguments.results, results, arguments.reference},

@@ -111,8 +111,9 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
     if (!drawing) continue;
     const Algorithm& algorithm = find_algorithm(row.algorithm);
     const std::string title =
-        fmt::format("{}{}{}, n = {}, seed {}", family_label(curve_of(row)),
-                    row.options.empty() ? "" : ", ", row.options, row.n, row.seed);
+        fmt::format("{}{}{}, n = {}, {}", family_label(curve_of(row)),
+                    row.options.empty() ? "" : ", ", row.options, row.n,
+                    row.graph_name.empty() ? fmt::format("seed {}", row.seed) : row.graph_name);
     page.add(page_entry(title, *drawing, &algorithm.guarantee, page_verdict(*drawing, &algorithm)));
     shown.page_of_row.emplace(place, shown.page_of_row.size());
   }

@@ -1,6 +1,8 @@
 // `ar3d study run`, `resume` and `merge`.
 #include "study.h"
 
+#include <set>
+
 #include "ar3d/analysis/report.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
@@ -83,10 +85,11 @@ int conclude(const JournaledStudy& study, bool force, bool unchanged) {
   say("results  {}\n", study.results);
   const bool is_timed = std::ranges::any_of(
       study.spec.sweeps, [](const Sweep& sweep) { return sweep.timed.most > 0; });
-  if (!is_timed) say("times    not measured: `timed_repetitions` in a sweep does\n");
-  if (const std::size_t skipped = skipped_file_records(*rows.view().identity).size()) {
-    say("skipped  {} files that could not be read (/skipped_files of the results)\n", skipped);
+  if (!is_timed) {
+    say("times    not measured: {} does\n",
+        study.spec.name == kGraphsStudy ? "--timed N" : "`timed_repetitions` in a sweep");
   }
+  say("{}", left_out_text(*rows.view().identity));
   if (study.shard.count > 1) {
     say("shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
         study.shard.index, study.shard.count);
@@ -191,6 +194,7 @@ Shard shard_of(const std::string& text) {
 }
 
 JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
+  refuse_foreign_ending(arguments.output, {".h5", ".hdf5"});
   JournaledStudy study = new_study(chosen_study(arguments.chosen), shard, arguments.output);
   const std::string page = report_path(study.results);
   std::vector<std::string> inputs = {arguments.chosen.study};
@@ -229,6 +233,30 @@ void add_run(CLI::App& study, int& exit_code) {
   });
 }
 
+// Which files of the study's are not as they were; what results hold of them stays.
+void tell_growth(const StudySpec& spec) {
+  const auto tell = [](const std::string& name, const std::vector<std::string>& files,
+                       const char* what) {
+    constexpr std::size_t kShown = 10;
+    if (files.empty()) return;
+    std::string text = printable(files.front());
+    for (std::size_t i = 1; i < std::min(kShown, files.size()); ++i) {
+      text += ", " + printable(files[i]);
+    }
+    if (files.size() > kShown) text += ", …";
+    say(stderr, "ar3d: {}: {} file{} {}: {}\n", name, files.size(), files.size() == 1 ? "" : "s",
+        what, text);
+  };
+  std::set<std::string> told;
+  for (const StudyCorpus& corpus : corpora_of(spec)) {
+    if (!told.insert(corpus.record.name).second) continue;
+    const CorpusGrowth& growth = corpus.corpus->graphs->growth();
+    tell(corpus.record.name, growth.added, "new, to be drawn");
+    tell(corpus.record.name, growth.changed, "changed, to be drawn beside the rows that are there");
+    tell(corpus.record.name, growth.gone, "gone, whose rows and graphs stay in the results");
+  }
+}
+
 // @throws InputError naming what is no status, or none whose rows are worth making again.
 std::vector<RunStatus> statuses(const std::vector<std::string>& words) {
   constexpr RunStatus kAll[] = {RunStatus::timeout, RunStatus::out_of_memory, RunStatus::crashed,
@@ -262,6 +290,8 @@ void add_resume(CLI::App& study, int& exit_code) {
     exit_code = make_study(*arguments, [&] {
       JournaledStudy study = begun_study(arguments->study);
       study.again = again;
+      study.spec.grows = true;
+      tell_growth(study.spec);
       return study;
     });
   });
@@ -272,6 +302,7 @@ int merge(const RunArguments& arguments) {
                          .outputs = {arguments.output},
                          .force = arguments.force,
                          .streams = false});
+  refuse_foreign_ending(arguments.output, {".h5", ".hdf5"});
   const StudyOutcome outcome = merge_study(arguments.parts, arguments.output);
   if (outcome.complete()) {
     say("{} rows of {} files are in {}\n", outcome.rows, arguments.parts.size(), arguments.output);

@@ -40,8 +40,10 @@ int write_drawings(const std::string& path, const RowView& rows, KeptDrawings ke
     return kRegression;
   }
   file.commit();
-  say(path == "-" ? stderr : stdout, "drawings {}: {} kept ({})\n",
-      path == "-" ? "standard output" : path, outcome.kept, to_string(kept));
+  say(path == "-" ? stderr : stdout, "drawings {}: {} kept ({}{})\n",
+      path == "-" ? "standard output" : path, outcome.kept, to_string(kept),
+      outcome.repeated == 0 ? ""
+                            : fmt::format("; {} more rows have one of these", outcome.repeated));
   return outcome.problems.empty() ? kPass : kRegression;
 }
 

@@ -1,5 +1,6 @@
 // Which study a verb is about, and `ar3d study plan`: what it would cost.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -14,6 +15,7 @@
 #include "ar3d/base/say.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/run/describe_study.h"
 #include "ar3d/bench/run/estimate.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/bench/spec/study_spec.h"
@@ -142,6 +144,8 @@ nlohmann::ordered_json plan_json(const StudySpec& spec, const StudyPlan& plan,
                  {"total_s", if_known(cell.is_known, cell.total_s)}});
     cells.push_back(std::move(json));
   }
+  nlohmann::ordered_json left_out = nlohmann::ordered_json::object();
+  for (const auto& [algorithm, families] : plan.left_out) left_out[algorithm->name] = families;
   return {{"study", spec.name},
           {"instances", plan.instances.size()},
           {"rows", estimate.rows},
@@ -150,6 +154,7 @@ nlohmann::ordered_json plan_json(const StudySpec& spec, const StudyPlan& plan,
           {"threads", estimate.threads},
           {"wall_s", estimate.wall_s},
           {"largest_row_bytes", estimate.largest_row_bytes},
+          {"left_out", left_out},
           {"cells", cells}};
 }
 
@@ -161,6 +166,10 @@ void print_estimate(const StudySpec& spec, const StudyPlan& plan, const StudyEst
     if (collections.insert(corpus.record.name).second) print_collection(corpus);
   }
   print_cells(estimate, collections);
+  for (const auto& [algorithm, families] : plan.left_out) {
+    say("left out: {} draws degree {} at most, not {}\n", algorithm->name,
+        algorithm->guarantee.max_degree, fmt::join(families, ", "));
+  }
   say("{} cells, {} instances, {} rows", estimate.cells.size(), plan.instances.size(),
       estimate.rows);
   if (estimate.optional_rows > 0) say(" and at most {} more", estimate.optional_rows);
@@ -176,16 +185,22 @@ void add_study_choice(CLI::App& verb, StudyChoice& choice) {
   verb.add_option("STUDY", choice.study, "a TOML file or a study of `ar3d list studies`");
   GraphsStudy& graphs = choice.graphs;
   CLI::Option* const files =
-      add_repeated(verb, "--graphs", graphs.files,
-                   "instead of STUDY: all graphs of this file, or of the files that a pattern in "
-                   "quotes matches; may be repeated");
+      verb.add_option("--graphs", graphs.files,
+                      "instead of STUDY: all graphs of these files, of those that a pattern in "
+                      "quotes matches, or of a folder, which is one collection");
   verb.add_option("--name", graphs.name,
                   "with --graphs: all files that match, or that the folder holds, are one "
-                  "collection of this name, its groups the sub-folders")
+                  "collection of this name, its groups the sub-folders; a folder's own if left out")
       ->needs(files);
   verb.add_option("--groups", graphs.groups,
-                  "with --name: a table, a line FILE,GROUP each, that says the groups instead")
-      ->needs(verb.get_option("--name"));
+                  "of a collection: a table, a line FILE,GROUP each, that says the groups instead")
+      ->needs(files);
+  verb.add_option("--timed", graphs.timed, "with --graphs: so many rounds of timed drawings")
+      ->default_str("")
+      ->check(whole_number(1, 1000000))
+      ->needs(files);
+  verb.add_flag("--count", graphs.count, "with --graphs: instructions are counted by callgrind")
+      ->needs(files);
   verb.add_flag("--skip", graphs.skip,
                 "with --graphs: files that cannot be read are counted, listed and left out")
       ->needs(files);
@@ -196,7 +211,8 @@ void add_study_choice(CLI::App& verb, StudyChoice& choice) {
                   "with --graphs: their format; detected by content if left out")
       ->needs(files);
   add_edge_list_options(verb, choice.reading);
-  for (const char* name : {"--base", "--first-line"}) verb.get_option(name)->needs(files);
+  for (const char* name : {"--base", "--first-line", "--undirected"})
+    verb.get_option(name)->needs(files);
   verb.add_option("--sample", graphs.sample, "with --graphs: so many graphs of each file")
       ->default_str("")
       ->check(whole_number(1, 10000000))
@@ -221,7 +237,9 @@ StudySpec chosen_study(const StudyChoice& choice) {
   if (!choice.study.empty()) return load_study(choice.study);
   GraphsStudy graphs = choice.graphs;
   if (!graphs.name.empty() && graphs.files.size() > 1) {
-    throw InputError("--name is of one collection, but there are several --graphs");
+    throw InputError(
+        "--name is of one collection, but there are several --graphs: a pattern in quotes, or a "
+        "folder, is one");
   }
   graphs.reading = choice.reading.read_options();
   StudySpec spec = parse_options(graphs);
@@ -264,6 +282,7 @@ void add_study_plan(CLI::App& study, int&) {
       "plan quick");
   verb->callback([arguments] {
     const StudySpec spec = chosen_study(arguments->chosen);
+    require_programs(spec);
     const StudyPlan plan = plan_study(spec);
     const int workers = workers_for(arguments->workers);
     say(stderr, "ar3d: {} graphs planned; small ones are drawn to estimate time and memory\n",

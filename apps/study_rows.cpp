@@ -32,7 +32,12 @@ std::int64_t planned_rows(const std::string& file, const StudyIdentity& identity
   return static_cast<std::int64_t>(outcome.rows + outcome.missing);
 }
 
-nlohmann::ordered_json verdict_json(const CheckVerdict& verdict) {
+nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIdentity& identity) {
+  nlohmann::ordered_json skipped = nlohmann::ordered_json::array();
+  for (const SkippedFile& file : skipped_file_records(identity)) {
+    skipped.push_back({{"collection", file.name}, {"file", file.file}, {"reason", file.reason}});
+  }
+  const FileCounts files = file_counts(identity);
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
   for (const Finding& one : verdict.findings) {
     findings.push_back({{"kind", to_string(one.kind)},
@@ -51,6 +56,9 @@ nlohmann::ordered_json verdict_json(const CheckVerdict& verdict) {
           {"not_proved", verdict.unproved},
           {"measured", verdict.measured},
           {"all_findings", verdict.all_findings},
+          {"files_read", files.read},
+          {"files_given", files.given},
+          {"skipped_files", skipped},
           {"findings", findings}};
 }
 
@@ -188,10 +196,10 @@ int show(const StatusArguments& arguments) {
   if (!arguments.json) print_details(standing, arguments.file);
   if (arguments.json) {
     nlohmann::ordered_json json = standing_json(standing);
-    json["check"] = verdict_json(verdict);
+    json["check"] = verdict_json(verdict, *rows.view().identity);
     print_json(json);
   } else {
-    say("{}", verdict_line(verdict));
+    say("{}{}", verdict_line(verdict), left_out_text(*rows.view().identity));
   }
   return verdict.exit_code();
 }
@@ -247,6 +255,13 @@ void StudyRows::view_journals(const std::string& file, const std::string& result
   };
 }
 
+std::string left_out_text(const StudyIdentity& identity) {
+  const FileCounts files = file_counts(identity);
+  if (files.read == files.given) return "";
+  return fmt::format("files    {} of {} were read; the report lists the others with the reason\n",
+                     files.read, files.given);
+}
+
 CheckedRows judge(const RowView& rows, const std::string& file) {
   require_one_study(rows, file);
   CheckedRows examination = examine(rows);
@@ -292,8 +307,9 @@ void add_check(CLI::App& app, int& exit_code) {
     const StudyRows rows(*path);
     CheckVerdict verdict = judge(rows.view(), *path).verdict;
     verdict.accepts_unproved = verdict.accepts_unproved || *accepts_unproved;
-    if (*json) print_json(verdict_json(verdict));
-    if (!*json) say("{}", summary(verdict));
+    const StudyIdentity& identity = *rows.view().identity;
+    if (*json) print_json(verdict_json(verdict, identity));
+    if (!*json) say("{}{}", summary(verdict), left_out_text(identity));
     exit_code = verdict.exit_code();
   });
 }

@@ -32,6 +32,9 @@ class StudyRows {
   RowView view_;
 };
 
+/// A line that says how many files of collections were left out; empty if none was.
+std::string left_out_text(const StudyIdentity& identity);
+
 /// The one verdict on a study. @param file  for messages.
 /// @throws InputError if the rows cannot be of one study.
 CheckedRows judge(const RowView& rows, const std::string& file);

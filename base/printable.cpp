@@ -56,6 +56,25 @@ bool is_plain(char c) {
          std::string_view("_-.=+:/,").find(c) != std::string_view::npos;
 }
 
+// Eight characters at once, the last eight once more: the top bit of each says that it is none of
+// ASCII, is 127, or is below 32. No carry leaves its character but that of 255, which is none.
+bool is_plain_ascii(std::string_view text) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101;
+  constexpr std::uint64_t kTops = kOnes * 128;
+  constexpr std::size_t kEight = sizeof(kOnes);
+  if (text.size() < kEight)
+    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  std::uint64_t bad = 0;
+  const auto look_at = [&](std::size_t i) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, text.data() + i, kEight);
+    bad |= word | (word + kOnes) | ~((word | kTops) - kOnes * 32);
+  };
+  for (std::size_t i = 0; i + kEight < text.size(); i += kEight) look_at(i);
+  look_at(text.size() - kEight);
+  return (bad & kTops) == 0;
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -103,23 +122,8 @@ std::string shell_word(std::string_view word) {
   return quoted + "'";
 }
 
-// Eight characters at once, the last eight once more: the top bit of each says that it is none of
-// ASCII, is 127, or is below 32. No carry leaves its character but that of 255, which is none.
-bool all_printable(const std::string& text) {
-  constexpr std::uint64_t kOnes = 0x0101010101010101;
-  constexpr std::uint64_t kTops = kOnes * 128;
-  constexpr std::size_t kEight = sizeof(kOnes);
-  if (text.size() < kEight)
-    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
-  std::uint64_t bad = 0;
-  const auto look_at = [&](std::size_t i) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, text.data() + i, kEight);
-    bad |= word | (word + kOnes) | ~((word | kTops) - kOnes * 32);
-  };
-  for (std::size_t i = 0; i + kEight < text.size(); i += kEight) look_at(i);
-  look_at(text.size() - kEight);
-  return (bad & kTops) == 0;
+bool all_printable(std::string_view text) {
+  return is_plain_ascii(text) || printable(text) == text;
 }
 
 }  // namespace ar3d

@@ -17,8 +17,8 @@ std::string valid_utf8(std::string_view text);
 /// Valid UTF-8 on one line: control characters (escape sequences of terminals too) become spaces.
 std::string one_line(std::string_view text);
 
-/// True if all are printable ASCII, as columns of text hold them.
-bool all_printable(const std::string& text);
+/// True if printable() changes nothing, as columns of text hold it. O(length); ASCII is fast.
+bool all_printable(std::string_view text);
 
 /// The word as a POSIX shell reads it back: in quotes unless it is plain.
 std::string shell_word(std::string_view word);

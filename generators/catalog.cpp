@@ -58,7 +58,7 @@ std::uint32_t keep(P parameters) {
 std::vector<Family> catalogue() {
   // name, one sentence, maximum degree, random?, parameters, sizes, generator
   return {
-      {"edgeless", "No edges at all", 0, false, {}, from<1>,
+      {"edgeless", "No edges at all", 0, false, {}, from<0>,
        [](Count n, S, P) { return Graph(n, {}); }},
       {"perfect-matching", "Disjoint edges", 1, false, {}, steps<2, 2>,
        [](Count n, S, P) { return stars(n / 2, 1); }},

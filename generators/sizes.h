@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/generators/polyhedra.h"
@@ -46,7 +48,7 @@ constexpr Count multiple(Count wanted, Count of, Count least = 1) {
 
 template <Count first>
 Count from(Count wanted, const Settings&) {
-  return wanted < first ? first : wanted;
+  return std::max(first, wanted);
 }
 template <Count first, Count step>
 Count steps(Count wanted, const Settings&) {

@@ -28,7 +28,8 @@ RowFormat make_run_format() {
   pack_fields(format.extract.fields);
   format.extract_key = {position_of("family"), position_of("parameters"),
                         position_of("requested_n"), position_of("instance_index")};
-  format.tables = {algorithms_spec(), graph_files_spec(), skipped_files_spec()};
+  format.tables = {algorithms_spec(), graph_files_spec(), skipped_files_spec(),
+                   collected_files_spec(), graphs_spec()};
   return format;
 }
 

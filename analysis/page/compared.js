@@ -81,18 +81,38 @@ export const effortTable = () => makeTable([{name: "Setting", show: row => setti
 
 const kMeasures = {volume: {title: "Volume", format: "power", show: value => number(value)}, "drawing time": {title: "Drawing time", format: "seconds", show: duration, unit: "s"},
   "total edge length": {title: "Total edge length", format: "power", show: value => number(value), unit: "smallest vertex distances"},
-  "smallest angle at a vertex": {title: "Smallest angle at a vertex", format: "count", show: value => number(value), unit: "degrees"}};
+  "smallest angle at a vertex": {title: "Smallest angle at a vertex", format: "count", show: value => number(value), unit: "degrees"},
+  "smallest angle at a bend": {title: "Smallest angle at a bend", format: "count", show: value => number(value), unit: "degrees"},
+  "longest over mean edge": {title: "Longest over mean edge", format: "count", show: value => number(value), unit: "mean edges"},
+  crossings: {title: "Crossings", format: "count", show: value => number(value), unit: "crossings", added: 1}, bends: {title: "Bends", format: "count", show: value => number(value), unit: "bends", added: 1}};
 const unitOf = (name, measure) => kMeasures[measure].unit ?? rowsOf("collections").find(row => row.collection === name).unit;
 
-const profileChart = (name, measure, rows) => ({file: `${name}-profile-${measure}`, title: "Within a factor of the best: " + kMeasures[measure].title, note: `share of ${count(rows[0].graphs)} graphs that some setting drew`,
+const profileChart = (name, measure, rows, isCommon) => ({file: `${name}-profile-${measure}${isCommon ? "-common" : ""}`, title: "Within a factor of the best: " + kMeasures[measure].title + (kMeasures[measure].added ? " + 1" : ""),
+  note: `share of ${count(rows[0].graphs)} graphs that ${isCommon ? "every" : "some"} setting drew`,
   x: {title: "factor of the best", format: rows.at(-1).factor < 1000 ? "count" : "power"}, y: {title: "share of graphs", type: "linear", domain: [0, 1], format: "share"},
   lines: [...grouped(rows, row => row.setting)].map(([setting, points], i) => ({name: settingName(setting), label: settingName(setting), stroke: colour(i), points: points.map(row => ({x: row.factor, y: row.share}))}))});
+
+/** A choice between figures, and the one that is chosen. */
+const chosenFigure = (label, choices, below = () => null) => {
+  if (!choices.length) return null;
+  const select = element("select", {class: "pick"}, choices.map(({text}, i) => element("option", {value: i}, text)));
+  const chosen = () => choices[Number(select.value)], list = element("div", {}, below(choices[0]));
+  const shown = figure(() => chosen().chart(), {}, list);
+  select.addEventListener("change", () => {
+    list.replaceChildren(...[below(chosen())].flat().filter(Boolean));
+    shown.paint();
+  });
+  return element("div", {}, element("label", {class: "choice"}, label + " ", select), shown);
+};
+
+const profilePart = (name, of) => chosenFigure("Quality beside the best drawing of a graph ", [["profile", false], ["common_profile", true]].flatMap(([table, isCommon]) => of(table).map(([measure, rows]) =>
+  ({text: `${kMeasures[measure].title}, graphs that ${isCommon ? "every" : "some"} setting drew`, chart: () => profileChart(name, measure, rows, isCommon)}))));
 
 const pairChart = (name, measure, pair) => {
   const mine = row => row.collection === name && row.measure === measure && row.setting === pair.setting && row.other === pair.other;
   const rows = rowsOf("pairs").filter(mine), points = rows.filter(row => !row.outlier), ends = rows.filter(row => row.outlier);
   const values = rows.flatMap(row => [row.value, row.other_value]), low = Math.min(...values), high = Math.max(...values), format = kMeasures[measure].format;
-  return {file: `${name}-${measure}-${pair.setting}-${pair.other}`, title: `${kMeasures[measure].title}: ${settingName(pair.other)} against ${settingName(pair.setting)}`,
+  return {file: `${name}-${measure}-${settingName(pair.setting)}-${settingName(pair.other)}`, title: `${kMeasures[measure].title}: ${settingName(pair.other)} against ${settingName(pair.setting)}`,
     note: `${count(pair.graphs)} graphs that both drew; above the diagonal ${percent(pair.share)}`, x: {title: settingName(pair.setting), format}, y: {title: settingName(pair.other), format},
     lines: [{name: "equal", css: "bound", stroke: "var(--bound)", dash: "7 4", points: [{x: low, y: low}, {x: high, y: high}]}],
     dots: [{name: "graphs", css: "points", stroke: colour(0), points: points.map(row => ({x: row.value, y: row.other_value, row: row.other_row}))}],
@@ -103,20 +123,13 @@ const outlierList = (name, measure, pair) => element("ul", {class: "crossings"},
   row.setting === pair.setting && row.other === pair.other).map(row => element("li", {}, `${nameOf(row.row)}: \u00d7 ${number(row.ratio)} `,
   graphButton(row.row, settingName(pair.setting)), " ", graphButton(row.other_row, settingName(pair.other)))));
 
+/** What the graphs that both settings drew say together. */
+const pairSentence = pair => `On ${count(pair.graphs)} graphs that both drew: ${kMeasures[pair.measure].title.toLowerCase()}${kMeasures[pair.measure].added ? " + 1" : ""} of ${settingName(pair.other)} is ${number(pair.ratio)} times ` +
+  `that of ${settingName(pair.setting)} in the median (95 %: ${number(pair.ratio_low)} to ${number(pair.ratio_high)}), larger for ${percent(pair.share)}, equal for ${count(pair.ties)}; sign test p = ${number(pair.p)}.`;
+
 /** The choice of two settings of a scatter, and its figure. */
-const pairPart = name => {
-  const pairs = rowsOf("pair_counts").filter(row => row.collection === name);
-  if (!pairs.length) return null;
-  const text = pair => `${kMeasures[pair.measure].title}: ${settingName(pair.other)} against ${settingName(pair.setting)}`;
-  const choice = element("select", {class: "pick"}, pairs.map((pair, i) => element("option", {value: i}, text(pair))));
-  const chosen = () => pairs[Number(choice.value)], list = element("div", {}, outlierList(name, pairs[0].measure, pairs[0]));
-  const shown = figure(() => pairChart(name, chosen().measure, chosen()), {}, list);
-  choice.addEventListener("change", () => {
-    list.replaceChildren(outlierList(name, chosen().measure, chosen()));
-    shown.paint();
-  });
-  return element("div", {}, element("label", {class: "choice"}, "One graph, two settings ", choice), shown);
-};
+const pairPart = name => chosenFigure("One graph, two settings ", rowsOf("pair_counts").filter(row => row.collection === name).map(pair => ({pair, chart: () => pairChart(name, pair.measure, pair),
+  text: `${kMeasures[pair.measure].title}: ${settingName(pair.other)} against ${settingName(pair.setting)}`})), ({pair}) => [element("p", {}, pairSentence(pair)), outlierList(name, pair.measure, pair)]);
 
 const binChart = (name, measure, rows) => ({file: `${name}-by-n-${measure}`, title: kMeasures[measure].title + " against n", note: "medians over bins of n", x: {title: "vertices n"},
   y: {title: unitOf(name, measure), format: kMeasures[measure].format},
@@ -139,7 +152,7 @@ const collectionSection = ([name, settings], place) => {
     element("p", {}, "Who drew how many of its graphs, and how good the drawings are beside the best one of the same graph."),
     makeTable([{name: "Setting", show: row => settingName(row.setting)}, column("Graphs", "graphs"), column("Drawn", "drawn"), {name: "Share", value: row => row.share, show: row => percent(row.share)},
       column("Refused rows", "refused"), column("Violated rows", "violated"), column("Unfinished rows", "unfinished")], settings),
-    element("div", {class: "figures"}, of("profile").map(([measure, rows]) => figure(() => profileChart(name, measure, rows))), pairPart(name),
+    element("div", {class: "figures"}, profilePart(name, of), pairPart(name),
       of("bins").map(([measure, rows]) => figure(() => binChart(name, measure, rows)))),
     of("group_medians").map(([measure, rows], i) => groupTable(name, measure, rows, i === 0)));
 };

@@ -26,6 +26,9 @@ export const pointsOf = curve => {
 /** A graph's name where it has one. */
 export const nameOf = row => graphOf(row)?.name ?? `row ${row}`;
 
+/** What a graph is called beside its family: its name, or how many vertices it has. */
+export const graphText = (row, n) => graphOf(row)?.name ?? `n = ${count(n)}`;
+
 const settingOf = curve => rowsOf("settings")[curve.setting]?.setting ?? curve.algorithm;
 const box = (graph, before) => ["x", "y", "z"].map(axis => graph[before + axis]);
 const boxText = values => values.every(value => value !== null) ? values.map(value => number(value, 6)).join(" \u00d7 ") : "";
@@ -67,7 +70,10 @@ const showDrawing = async row => {
   dialog.append(frame);
   dialog.showModal();
   frame.srcdoc = (await viewer).replace("<body>", `<body data-page="${Number(graphOf(row).drawing)}">`);
-  frame.addEventListener("load", () => frame.focus());
+  frame.addEventListener("load", () => {
+    frame.focus();  // where Escape closes the dialog, too, unless it takes a selection away
+    frame.contentWindow.addEventListener("keydown", event => { if (event.key === "Escape" && !event.defaultPrevented) dialog.close(); });
+  });
 };
 export const isDrawn = row => (graphOf(row)?.drawing ?? null) !== null;
 

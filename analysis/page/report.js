@@ -2,7 +2,7 @@
 import {byId, change, count, element, fill, firstOf, grouped, number, percent, rowsOf, settingName} from "./values.js";
 import {fillNavigation, folded, makeTable, withSmall} from "./tables.js";
 import {drawFigures} from "./charts.js";
-import {graphButton, listen} from "./graphs.js";
+import {graphButton, graphText, listen} from "./graphs.js";
 import {exponentCell, exponentRange, settingSections, violations} from "./growth.js";
 import {collectionSections, scalingSection, tradeSection} from "./compared.js";
 import {precisionSection} from "./precision.js";
@@ -27,6 +27,7 @@ const verdictPart = () => {
   }
   byId("counts").append(verdict.measured > 0 ? `, ${count(verdict.measured)} measured without a guarantee.` : ".",
     verdict.rows === 0 ? " Nothing was measured, so nothing is shown." : "");
+  if (study.files_given > 0) byId("counts").append(` Graphs were read from ${count(study.files_read)} of ${count(study.files_given)} files.`);
   const begun = document.querySelector("[data-fill=begun]");
   begun.append(`${study.created} \u00b7 program ${study.program}`, study.dirty ? element("b", {class: "incomplete"}, " with uncommitted changes") : "");
   const notes = [];
@@ -46,7 +47,7 @@ const closestPart = () => {
     byId("closest").textContent = "No row has a bound to compare with.";
     return;
   }
-  byId("closest").append("The closest to a bound is ", graphButton(closest.closest_row, `${closest.setting} on ${closest.closest_family}, n = ${count(closest.closest_n)}`),
+  byId("closest").append("The closest to a bound is ", graphButton(closest.closest_row, `${closest.setting} on ${closest.closest_family}, ${graphText(closest.closest_row, closest.closest_n)}`),
     `: its ${closest.closest_axis} extent is ${count(closest.closest_extent)} of ${number(closest.closest_bound, 6)}, `, element("b", {}, percent(closest.share)), " of what the theorem allows.");
 };
 
@@ -69,8 +70,9 @@ const frontPart = () => {
   const column = (name, key) => ({name, value: row => row[key], show: row => count(row[key])});
   showSection("closeness", makeTable([{name: "Setting", show: row => element("a", {href: "#a" + row.place}, row.setting)},
     {name: "Share", value: row => row.share, show: row => percent(row.share)},
-    {name: "Closest graph", show: row => row.closest_row === null ? "\u2013" : graphButton(row.closest_row, `${row.closest_family}, n = ${count(row.closest_n)}`)},
-    column("Families", "families"), column("Graphs", "graphs"), column("Largest n", "largest_n"), {name: "Violations", value: row => row.violations, show: violations},
+    {name: "Closest graph", show: row => row.closest_row === null ? "\u2013" : graphButton(row.closest_row, `${row.closest_family}, ${graphText(row.closest_row, row.closest_n)}`)},
+    column("Families", "families"),
+    {name: "Graphs", value: row => row.drawn, show: row => row.drawn === row.graphs ? count(row.graphs) : `${count(row.drawn)} of ${count(row.graphs)}`}, column("Largest n", "largest_n"), {name: "Violations", value: row => row.violations, show: violations},
     exponent("Side ~ n^a", "longest side"), exponent("Volume ~ n^a", "volume"), exponent("Time ~ n^a", "drawing time")], settings.map((row, place) => ({...row, place}))));
   const promises = rowsOf("promises");
   if (!promises.length) return;
@@ -79,6 +81,17 @@ const frontPart = () => {
     {name: "Proved", css: "num", show: row => row.proved}, {name: "Measured exponent", css: "note", value: row => row.exponent, show: row => row.exponent === null ? "\u2013" : exponentCell(row)},
     {name: "Of family", show: row => text(row.family)}, {name: "Measured constant", value: row => row.constant, show: row => number(row.constant)}, {name: "Of family", show: row => text(row.constant_family)},
     {name: "Largest share", value: row => row.share, show: row => percent(row.share)}], promises.map(row => row.growth?.startsWith("apparent") ? {...row, growth: "apparent"} : row)));
+};
+
+/** Files that were left out, by what was wrong with them. */
+const skippedPart = () => {
+  const skipped = rowsOf("skipped_files"), kShownFiles = 10;
+  if (!skipped.length) return;
+  const kind = row => row.reason.slice(row.reason.indexOf(": ") + 2).replace(/'[^']*'/g, "\u2026").replace(/\d+/g, "N");
+  const kinds = [...grouped(skipped, row => `${row.collection}: ${kind(row)}`).values()].sort((a, b) => b.length - a.length);
+  showSection("skipped", makeTable([{name: "Collection", show: rows => rows[0].collection}, {name: "Files", value: rows => rows.length, show: rows => count(rows.length)},
+    {name: "Reason of the first", css: "note", show: rows => rows[0].reason},
+    {name: "Which", css: "note", show: rows => rows.slice(0, kShownFiles).map(row => row.file).join(", ") + (rows.length > kShownFiles ? ", \u2026" : "")}], kinds));
 };
 
 const sinceLines = (lines, css) => lines.length ? element("ul", {}, lines.slice(0, kShownLines).map(line => element("li", {class: css}, line.text)),
@@ -136,6 +149,7 @@ verdictPart();
 closestPart();
 findingsPart();
 frontPart();
+skippedPart();
 sincePart();
 listen();
 const rest = () => {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "ar3d/analysis/report/sections.h"
@@ -16,11 +18,13 @@ using enum CellType;
 
 constexpr std::size_t kMostCompared = 6;      // settings of the pairs
 constexpr std::size_t kScatterPoints = 1000;  // of two settings
+constexpr std::size_t kFewPoints = 100;       // by measures beyond the first two
+constexpr double kEqual = 1e-9;               // decimal logarithms closer than that are ties
 constexpr std::size_t kOutliers = 3;          // on either side
 constexpr std::size_t kMostBins = 16;
 constexpr double kProfileEnd = 4;  // decades behind the best
 constexpr int kProfileSteps = 80;
-constexpr std::size_t kMeasured = 2;  // measures of pairs and bins
+constexpr std::size_t kMeasured = 2;  // measures of bins and of scatters with all points
 
 /// One graph, and what the settings made of it.
 struct CollectionGraph {
@@ -36,18 +40,32 @@ struct Collection {
   std::map<std::pair<std::uint64_t, std::int64_t>, CollectionGraph> graphs;  // by seed and place
 };
 
-/// What graphs are compared by: a decimal logarithm of at least one drawing, the less the better.
+/// What graphs are compared by: a decimal logarithm, the less the better. Counts, which may be 0,
+/// are compared by one more.
 struct CollectionMeasure {
   const char* name;
   double (*log10_value)(const Collection&, const DrawnGraph&);
   bool is_larger_better = false;
+  bool is_count = false;
+
+  double value(double log10) const { return std::pow(10, log10) - (is_count ? 1 : 0); }
 };
 
-/// Decimal logarithm of one metric of the table; missing if the row has none.
-double log10_metric(const DrawnGraph& graph, const char* name) {
+/// One metric of the table; missing if the row has none.
+double metric_of(const DrawnGraph& graph, std::string_view name) {
   const auto at = std::ranges::find(metrics(), name, &Metric::name);
   const auto place = static_cast<std::size_t>(at - metrics().begin());
-  return decimal(log_positive(place < graph.metrics.size() ? graph.metrics[place] : kMissing));
+  return place < graph.metrics.size() ? graph.metrics[place] : kMissing;
+}
+double log10_metric(const DrawnGraph& graph, std::string_view name) {
+  return decimal(log_positive(metric_of(graph, name)));
+}
+double bends_of(const DrawnGraph& graph) {
+  double bends = 0;
+  for (int of_edge = 1; of_edge < 8; ++of_edge) {
+    bends += of_edge * metric_of(graph, "bends_" + std::to_string(of_edge));
+  }
+  return bends;
 }
 
 const std::vector<CollectionMeasure>& measures() {
@@ -69,7 +87,26 @@ const std::vector<CollectionMeasure>& measures() {
        [](const Collection&, const DrawnGraph& graph) {
          return log10_metric(graph, "smallest_vertex_angle");
        },
-       true}};
+       true},
+      {"smallest angle at a bend",
+       [](const Collection&, const DrawnGraph& graph) {
+         return log10_metric(graph, "smallest_bend_angle");
+       },
+       true},
+      {"longest over mean edge",
+       [](const Collection&, const DrawnGraph& graph) {
+         return log10_metric(graph, "longest_edge_length") -
+                log10_metric(graph, "total_edge_length") +
+                decimal(log_positive(static_cast<double>(graph.m)));
+       }},
+      {"crossings",
+       [](const Collection&, const DrawnGraph& graph) {
+         return std::log10(1 + metric_of(graph, "crossings"));
+       },
+       false, true},
+      {"bends",
+       [](const Collection&, const DrawnGraph& graph) { return std::log10(1 + bends_of(graph)); },
+       false, true}};
   return all;
 }
 
@@ -138,6 +175,36 @@ void for_each_pair(const Collection& collection, const Use& use) {
   }
 }
 
+/// C2 before C10: runs of digits are compared as numbers.
+struct AsPeopleSort {
+  bool operator()(std::string_view a, std::string_view b) const {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const std::string_view all_a = a, all_b = b;
+    while (!a.empty() && !b.empty()) {
+      if (is_digit(a[0]) && is_digit(b[0])) {
+        const std::string_view one = number_at(a), other = number_at(b);
+        if (one.size() != other.size()) return one.size() < other.size();
+        if (one != other) return one < other;
+        continue;
+      }
+      if (a[0] != b[0]) return a < b;  // by bytes without a sign
+      a.remove_prefix(1);
+      b.remove_prefix(1);
+    }
+    return a.empty() != b.empty() ? a.empty() : all_a < all_b;
+  }
+
+ private:
+  /// Takes the digits away; those behind leading zeros.
+  static std::string_view number_at(std::string_view& text) {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789"), text.size());
+    std::string_view digits = text.substr(0, end);
+    text.remove_prefix(end);
+    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+    return digits;
+  }
+};
+
 struct CollectionTables {
   Table collections{"collections",
                     "a collection and a setting: what became of the graphs",
@@ -158,6 +225,7 @@ struct CollectionTables {
                  {"factor", "", "times the best of the same graph", number, 5},
                  {"share", "", "of the graphs that some setting drew", number, 5},
                  {"graphs", "", "these", integer}}};
+  Table common{"common_profile", "the same of the graphs that every setting drew", profile.columns};
   Table pairs{"pairs",
               "a graph that two settings drew",
               {{"collection", "", "name of the graphs"},
@@ -170,14 +238,20 @@ struct CollectionTables {
                {"row", "", "of the setting in /runs", integer},
                {"other_row", "", "of the other setting", integer},
                {"outlier", "", "among the three on either side", flag}}};
-  Table pair_counts{"pair_counts",
-                    "two settings: how many graphs both drew",
-                    {{"collection", "", "name of the graphs"},
-                     {"measure", "", "what is compared"},
-                     {"setting", "", "its row in settings", integer},
-                     {"other", "", "row of the other setting", integer},
-                     {"graphs", "", "that both drew", integer},
-                     {"share", "", "of them with a larger value of the other", number}}};
+  Table pair_counts{
+      "pair_counts",
+      "two settings: how many graphs both drew",
+      {{"collection", "", "name of the graphs"},
+       {"measure", "", "what is compared"},
+       {"setting", "", "its row in settings", integer},
+       {"other", "", "row of the other setting", integer},
+       {"graphs", "", "that both drew", integer},
+       {"share", "", "of them with a larger value of the other", number},
+       {"ties", "", "of them with equal values", integer},
+       {"ratio", "", "median of the other value over the value; counts plus 1", number, 4},
+       {"ratio_low", "", "its interval of 95 %, by order statistics", number, 4},
+       {"ratio_high", "", "upper end", number, 4},
+       {"p", "", "two-sided sign test, without ties", number, 3}}};
   Table bins{"bins",
              "a setting and a bin of n: medians over its graphs",
              {{"collection", "", "name of the graphs"},
@@ -215,10 +289,11 @@ struct CollectionTables {
   /// The share of graphs that each setting draws within a factor of the best (Dolan and Moré,
   /// Benchmarking optimization software with performance profiles, Mathematical Programming 91,
   /// 2002).
-  void add_profile(const Collection& of, const CollectionMeasure& measure) {
+  void add_profile(const Collection& of, const CollectionMeasure& measure, bool is_common) {
     std::vector<std::vector<double>> behind(of.settings.size());
     std::size_t graphs = 0;
     for (const auto& [key, one] : of.graphs) {
+      if (is_common && one.drawn.size() < of.settings.size()) continue;
       double best = kMissing;
       std::vector<std::pair<std::size_t, double>> costs;
       for (const auto& [setting, graph] : one.drawn) {
@@ -239,27 +314,38 @@ struct CollectionTables {
       for (int step = 0; step <= kProfileSteps && !behind[s].empty(); ++step) {
         const double x = end * step / kProfileSteps;
         const auto within = std::ranges::upper_bound(behind[s], x + 1e-9) - behind[s].begin();
-        profile.add({of.family, measure.name, of.settings[s].first, std::pow(10, x),
-                     static_cast<double>(within) / static_cast<double>(graphs), graphs});
+        (is_common ? common : profile)
+            .add({of.family, measure.name, of.settings[s].first, std::pow(10, x),
+                  static_cast<double>(within) / static_cast<double>(graphs), graphs});
       }
     }
   }
 
-  void add_pairs(const Collection& of, const CollectionMeasure& measure, GraphList& graphs) {
+  void add_pairs(const Collection& of, const CollectionMeasure& measure, std::size_t most_points,
+                 GraphList& graphs) {
     for_each_pair(of, [&](std::size_t a, std::size_t b) {
       const std::vector<GraphPair> all = pairs_of(of, measure, a, b);
       if (all.empty()) return;
       const std::size_t one = of.settings[a].first, other = of.settings[b].first;
-      const auto above = std::ranges::count_if(all, [](auto& pair) { return pair.ratio() > 0; });
+      std::vector<double> ratios;
+      for (const GraphPair& pair : all) ratios.push_back(std::pow(10, pair.ratio()));
+      const auto below = static_cast<std::size_t>(
+          std::ranges::count_if(all, [](const GraphPair& pair) { return pair.ratio() < -kEqual; }));
+      const auto above = static_cast<std::size_t>(
+          std::ranges::count_if(all, [](const GraphPair& pair) { return pair.ratio() > kEqual; }));
+      const Interval interval = median_interval(ratios);
       pair_counts.add({of.family, measure.name, one, other, all.size(),
-                       static_cast<double>(above) / static_cast<double>(all.size())});
+                       static_cast<double>(above) / static_cast<double>(all.size()),
+                       all.size() - above - below, median(ratios), interval.low, interval.high,
+                       sign_test(below, above)});
       const auto add = [&](const GraphPair& pair, bool is_outlier) {
-        pairs.add({of.family, measure.name, one, other, std::pow(10, pair.x), std::pow(10, pair.y),
-                   std::pow(10, pair.ratio()), graphs.add(of.settings[a].second->place, *pair.one),
+        pairs.add({of.family, measure.name, one, other, measure.value(pair.x),
+                   measure.value(pair.y), std::pow(10, pair.ratio()),
+                   graphs.add(of.settings[a].second->place, *pair.one),
                    graphs.add(of.settings[b].second->place, *pair.other), is_outlier});
       };
       for (const GraphPair& pair : outliers(all)) add(pair, true);
-      for (const GraphPair& pair : evenly(all, kScatterPoints)) add(pair, false);
+      for (const GraphPair& pair : evenly(all, most_points)) add(pair, false);
     });
   }
 
@@ -279,7 +365,7 @@ struct CollectionTables {
       }
       for (auto& [setting, logs] : values) {
         bins.add({of.family, measure.name, of.settings[setting].first, median(sizes),
-                  std::pow(10, median(std::move(logs)))});
+                  measure.value(median(std::move(logs)))});
       }
     }
   }
@@ -289,15 +375,19 @@ struct CollectionTables {
       std::size_t graphs = 0;
       std::map<std::size_t, std::vector<double>> values;  // by setting
     };
-    std::map<std::string, Group> all;
+    const bool has_groups = std::ranges::any_of(of.graphs, [](const auto& graph) {
+      return !graph.second.drawn.begin()->second->group.empty();
+    });
+    if (!has_groups) return;
+    std::map<std::string, Group, AsPeopleSort> all;
     for (const auto& [key, one] : of.graphs) {
-      const std::string& name = one.drawn.begin()->second->group;
-      if (name.empty()) continue;
+      const std::string& group_name = one.drawn.begin()->second->group;
+      const std::string name = group_name.empty() ? "(no group)" : group_name;
       Group& group = all[name];
       ++group.graphs;
       for (const auto& [setting, graph] : one.drawn) {
         const double value = measure.log10_value(of, *graph);
-        if (!std::isnan(value)) group.values[setting].push_back(std::pow(10, value));
+        if (!std::isnan(value)) group.values[setting].push_back(measure.value(value));
       }
     }
     for (const auto& [name, group] : all) {
@@ -316,15 +406,18 @@ void add_collections(TableMaker& make) {
   for (const Collection& collection : collections_of(make.sections)) {
     tables.add_drawn(collection);
     for (std::size_t m = 0; m < measures().size(); ++m) {
-      tables.add_profile(collection, measures()[m]);
+      const bool is_first = m < kMeasured;
+      for (const bool is_common : {false, true}) {
+        tables.add_profile(collection, measures()[m], is_common);
+      }
       tables.add_groups(collection, measures()[m]);
-      if (m >= kMeasured) continue;
-      tables.add_pairs(collection, measures()[m], make.graphs);
-      tables.add_bins(collection, measures()[m]);
+      tables.add_pairs(collection, measures()[m], is_first ? kScatterPoints : kFewPoints,
+                       make.graphs);
+      if (is_first) tables.add_bins(collection, measures()[m]);
     }
   }
-  for (Table* table : {&tables.collections, &tables.profile, &tables.pairs, &tables.pair_counts,
-                       &tables.bins, &tables.groups}) {
+  for (Table* table : {&tables.collections, &tables.profile, &tables.common, &tables.pairs,
+                       &tables.pair_counts, &tables.bins, &tables.groups}) {
     make.tables.push_back(std::move(*table));
   }
 }

@@ -251,10 +251,33 @@ void add_accuracies(TableMaker& make, const RealRows& real) {
   }
 }
 
+/// Those of many n are put together by bins of n; the key then has the largest n of its bin.
+std::map<JudgementKey, Judgements> in_bins(const std::map<JudgementKey, Judgements>& all) {
+  constexpr std::size_t kMostBins = 16;
+  std::set<std::int64_t> sizes;
+  for (const auto& [key, judged] : all) sizes.insert(std::max<std::int64_t>(1, key.n));
+  const std::vector<SizeBin> bins = size_bins(sizes, kMostBins);
+  std::map<JudgementKey, Judgements> merged;
+  for (const auto& [key, judged] : all) {
+    JudgementKey mine = key;
+    const auto bin =
+        std::ranges::find_if(bins, [&n = key.n](const SizeBin& b) { return n <= b.last; });
+    if (sizes.size() > kMostBins && bin != bins.end()) mine.n = bin->last;
+    Judgements& to = merged[mine];
+    to.rows += judged.rows;
+    to.violated += judged.violated;
+    for (const auto part : {&Judgements::draw_s, &Judgements::store_s, &Judgements::certify_s,
+                            &Judgements::peak_bytes}) {
+      (to.*part).insert((to.*part).end(), (judged.*part).begin(), (judged.*part).end());
+    }
+  }
+  return merged;
+}
+
 void add_judgements(TableMaker& make, const PrecisionRows& rows) {
   std::vector<TableColumn> columns = {
       {"algorithm", "", "with its options"},
-      {"n", "vertices", "n that was asked for", integer},
+      {"n", "vertices", "n that was asked for; of many the largest of a bin", integer},
       {"certificate", "", "how drawings were judged; only exact proves"},
       {"level", "", "what a row stores of its drawing"},
       {"rows", "", "rows", integer},
@@ -272,10 +295,11 @@ void add_judgements(TableMaker& make, const PrecisionRows& rows) {
   }
   Table& table =
       make.start("judgements", "what a certificate and a level cost", std::move(columns));
+  const std::map<JudgementKey, Judgements> judgements = in_bins(rows.judgements);
   std::map<std::pair<std::string, std::int64_t>, std::set<std::string>> levels;
   std::set<std::string> modes;
   bool has_levels = false;
-  for (const auto& [key, judged] : rows.judgements) {
+  for (const auto& [key, judged] : judgements) {
     auto& known = levels[{key.algorithm, key.n}];
     known.insert(key.level);
     has_levels |= known.size() > 1;
@@ -283,7 +307,7 @@ void add_judgements(TableMaker& make, const PrecisionRows& rows) {
   }
   const bool has_modes = modes.size() > 1 || (modes.size() == 1 && !modes.contains("exact"));
   if (!has_modes && !has_levels) return;
-  for (const auto& [key, judged] : rows.judgements) {
+  for (const auto& [key, judged] : judgements) {
     std::vector<TableCell> row = {key.algorithm,
                                   key.n,
                                   key.certificate,

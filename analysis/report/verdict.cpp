@@ -18,6 +18,7 @@ constexpr std::array kFrontQuantities = {Quantity::longest_side, Quantity::volum
 void add_study(TableMaker& make) {
   const StudyIdentity& study = *make.analysis.rows.identity;
   const StudyTally& tally = make.analysis.tally;
+  const FileCounts files = file_counts(study);
   make.start("study", "the study",
              {{"study", "", "its name"},
               {"created", "", "when its results were begun"},
@@ -28,9 +29,19 @@ void add_study(TableMaker& make) {
               {"spec", "", "the specification"},
               {"kept_graphs", "", "graphs of a size that medians, bands and points are of; 0: all",
                integer},
-              {"left_out_rows", "", "rows in the verdict, but in no other table", integer}})
+              {"left_out_rows", "", "rows in the verdict, but in no other table", integer},
+              {"files_read", "", "files of collections that graphs were read from", integer},
+              {"files_given", "", "files of collections", integer}})
       .add({study.study_id, study.created, study.source_hash, study.dirty, make.analysis.rows.file,
-            study.spec_hash, study.spec, tally.kept_graphs, tally.left_out_rows});
+            study.spec_hash, study.spec, tally.kept_graphs, tally.left_out_rows, files.read,
+            files.given});
+  Table& skipped = make.start("skipped_files", "a file of a collection that was left out",
+                              {{"collection", "", "its name"},
+                               {"file", "", "path within it"},
+                               {"reason", "", "why it could not be read"}});
+  for (const SkippedFile& file : skipped_file_records(study)) {
+    skipped.add({file.name, file.file, file.reason});
+  }
 }
 
 void add_findings(TableMaker& make) {
@@ -97,6 +108,7 @@ std::vector<TableColumn> setting_columns() {
           {"shown", "", "curves that the page shows: those closest to the bound", integer},
           {"curves", "", "families with their parameters", integer},
           {"graphs", "", "graphs, drawn or not", integer},
+          {"drawn", "", "graphs that were drawn", integer},
           {"largest_n", "vertices", "largest n", integer},
           {"violations", "", "rows that break a bound or a certificate", integer},
           {"unproved", "", "ok rows that no exact certificate judged", integer},
@@ -115,13 +127,14 @@ std::vector<TableColumn> setting_columns() {
 void add_settings(TableMaker& make) {
   Table& table = make.start("settings", "an algorithm with its options", setting_columns());
   for (const Section& section : make.sections) {
-    std::size_t graphs = 0, violations = 0, unproved = 0, ok = 0, measured = 0;
+    std::size_t graphs = 0, drawn = 0, violations = 0, unproved = 0, ok = 0, measured = 0;
     std::int64_t largest = -1;
     std::set<std::string> families;
     std::string theorem, published;
     for (const SectionCurve& curve : section.curves) {
       families.insert(curve.family);
       graphs += curve.bounds->instances;
+      for (const auto& [n, size] : curve.tally->sizes) drawn += size.drawn;
       violations += curve.bounds->violations;
       unproved += curve.bounds->unproved;
       ok += curve.bounds->count(RunStatus::ok);
@@ -139,6 +152,7 @@ void add_settings(TableMaker& make) {
                                   section.shown.size(),
                                   section.curves.size(),
                                   graphs,
+                                  drawn,
                                   count_or_none(largest),
                                   violations,
                                   unproved,
@@ -147,7 +161,7 @@ void add_settings(TableMaker& make) {
     row.resize(table.columns.size());
     if (const Closest closest = closest_of(section); closest.curve != nullptr) {
       const DrawnGraph& graph = closest.bounds().worst;
-      std::size_t at = 14;
+      std::size_t at = 15;
       row[at++] = 1 - closest.bounds().worst_slack;
       row[at++] = closest.curve->name;
       row[at++] = graph.n;

@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <numeric>
 #include <queue>
+#include <set>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/base/random.h"
 #include "ar3d/base/system_calls.h"
 #include "ar3d/formats/catalog.h"
@@ -65,6 +67,7 @@ void read_all(int file, std::span<char> to, std::uint64_t offset, const std::str
 }
 
 constexpr std::uint64_t kMostGraphs = 10000000;  // a study has no more rows
+constexpr std::uint64_t kMostHeldVertices = std::uint64_t{1} << 27;
 
 void put_graph(HashStream& hash, const Graph& graph) {
   hash.put(graph.num_vertices());
@@ -115,9 +118,10 @@ Graph Spool::read(std::uint64_t offset) const {
 
 std::string CorpusOptions::text() const {
   return fmt::format(
-      "format={};base={};first_line={};simple={};component={};sample={};sample_seed={};skip={}",
+      "format={};base={};first_line={};simple={};undirected={};component={};sample={};"
+      "sample_seed={};skip={};looks_again={}",
       reading.format, reading.base, static_cast<int>(reading.first_line), reading.simplify,
-      largest_component, sample, sample_seed, skip);
+      reading.undirected, largest_component, sample, sample_seed, skip, looks_again);
 }
 
 // Takes the graphs of the files one after the other. A sample of k is the k places of the smallest
@@ -129,6 +133,9 @@ class Corpus::Scan {
 
   void read(const CorpusFile& file) {
     corpus_.path_ = file.path;
+    if (file.held) return take_held(file);
+    const std::size_t taken_before = corpus_.entries_.size();
+    const std::uint64_t graphs_before = corpus_.graphs_in_file_;
     ReadFile read{file.name, file.group, {}, static_cast<std::uint32_t>(corpus_.graphs_in_file_)};
     HashStream hash;
     std::string problem;
@@ -137,15 +144,29 @@ class Corpus::Scan {
     read.graphs = static_cast<std::uint32_t>(corpus_.graphs_in_file_) - read.first_place;
     if (!problem.empty()) {
       if (read.graphs > 0) problem += fmt::format(" (the {} graphs before are taken)", read.graphs);
-      corpus_.skipped_.push_back({"", file.name.empty() ? file.path : file.name, problem});
+      const std::size_t path = file.file.empty() ? std::string::npos : problem.find(file.path);
+      if (path != std::string::npos) problem.replace(path, file.path.size(), file.file);
+      corpus_.skipped_.push_back({"", file.file.empty() ? file.path : file.file, problem});
     }
+    const auto known = held_.find(file.file);
+    if (known != held_.end()) known->second.is_there = true;
     if (read.graphs == 0) return;
     read.identity.file_hash = hash.digest();
-    read.identity.copy = copies_[read.identity.file_hash]++;
-    corpus_.files_.push_back(std::move(read));
+    if (known != held_.end() && known->second.hashes.contains(read.identity.file_hash)) {
+      corpus_.entries_.resize(taken_before);  // what the spool has more is never asked for
+      corpus_.graphs_in_file_ = graphs_before;
+      return;
+    }
+    const std::string& shown = file.file.empty() ? file.path : file.file;
+    if (known != held_.end()) corpus_.growth_.changed.push_back(shown);
+    if (known == held_.end() && !held_.empty()) corpus_.growth_.added.push_back(shown);
+    add(file.file, std::move(read));
   }
 
-  void finish() {
+  void finish(bool has_looked) {
+    for (const auto& [file, before] : held_) {
+      if (has_looked && !before.is_there) corpus_.growth_.gone.push_back(file);
+    }
     if (options_.sample > 0) drop_replaced();
     corpus_.spool_.flush();
     corpus_.hash_ = hash_of_files();
@@ -157,6 +178,47 @@ class Corpus::Scan {
   }
 
  private:
+  /// What files of one name held when the study began, or grew.
+  struct Before {
+    std::set<std::string> hashes;
+    bool is_there = false;
+  };
+
+  void add(const std::string& file, ReadFile read) {
+    read.identity.copy = copies_[read.identity.file_hash]++;
+    corpus_.records_.push_back(
+        {"", file, read.group, read.identity.file_hash, read.first_place, read.graphs});
+    corpus_.files_.push_back(std::move(read));
+  }
+
+  /// Its places are those that it had.
+  void take_held(const CorpusFile& file) {
+    const CollectedFile& record = file.held->record;
+    const auto first = static_cast<std::uint64_t>(record.first);
+    const auto graphs = static_cast<std::uint64_t>(record.graphs);
+    if (first < corpus_.graphs_in_file_) {
+      throw InputError(fmt::format("/collected_files: {} graphs from {} on are none of {}",
+                                   record.graphs, record.first, printable(record.file)));
+    }
+    for (const auto& [place, line] : file.held->lines) {
+      GraphReader reader(TextInput("/graphs", bytes_of(line + "\n")),
+                         {.format = "sparse6", .free_vertices = kMostHeldVertices});
+      keep(*reader.next(), place);
+    }
+    corpus_.graphs_in_file_ = first + graphs;
+    held_[record.file].hashes.insert(record.hash);
+    add(record.file, {file.name,
+                      file.group,
+                      {record.hash, 0, 0},
+                      static_cast<std::uint32_t>(first),
+                      static_cast<std::uint32_t>(graphs)});
+  }
+
+  void keep(const Graph& graph, std::uint64_t place) {
+    corpus_.entries_.push_back({corpus_.spool_.append(graph), graph.num_vertices(),
+                                static_cast<std::uint32_t>(place), graph.max_degree()});
+  }
+
   using Ticket = std::pair<std::uint64_t, std::uint64_t>;  // random number, place
 
   // Nothing at the file's end, and where it cannot be read further and files may be skipped.
@@ -188,10 +250,7 @@ class Corpus::Scan {
     } else if (!is_drawn(place)) {
       return;
     }
-    const Graph taken =
-        options_.largest_component ? induced(graph, in_largest_component(graph)) : graph;
-    corpus_.entries_.push_back({corpus_.spool_.append(taken), taken.num_vertices(),
-                                static_cast<std::uint32_t>(place), taken.max_degree()});
+    keep(options_.largest_component ? induced(graph, in_largest_component(graph)) : graph, place);
     // Graphs that fell out of the sample since are dropped once they are as many as it holds.
     if (options_.sample > 0 && corpus_.entries_.size() >= 2 * options_.sample) drop_replaced();
   }
@@ -229,6 +288,7 @@ class Corpus::Scan {
 
   Corpus& corpus_;
   const CorpusOptions& options_;
+  std::map<std::string, Before> held_;           // by file
   std::map<std::string, std::uint32_t> copies_;  // of files, by the hash of their graphs
   std::priority_queue<Ticket> drawn_;  // the smallest ones so far, the largest of them on top
 };
@@ -237,11 +297,13 @@ Corpus::Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& option
   expect(!files.empty(), "a corpus has files");
   Scan scan(*this, options);
   for (const CorpusFile& file : files) scan.read(file);
+  path_ = files.front().path;
   if (entries_.empty()) {
-    throw InputError(fmt::format("none of {} files holds a graph; the first: {}", files.size(),
-                                 skipped_.front().reason));
+    throw InputError(
+        fmt::format("none of {} files holds a graph{}", files.size(),
+                    skipped_.empty() ? "" : "; the first: " + skipped_.front().reason));
   }
-  scan.finish();
+  scan.finish(options.looks_again);
 }
 
 const Corpus::ReadFile& Corpus::file_of(std::uint32_t place) const {
@@ -261,7 +323,10 @@ std::string Corpus::graph_name(std::uint32_t place) const {
   const ReadFile& file = file_of(place);
   std::string name = file.name;
   if (file.graphs > 1) name += fmt::format("#{}", place - file.first_place);
-  return name.size() <= kMost ? name : "..." + name.substr(name.size() - (kMost - 3));
+  if (name.size() <= kMost) return name;
+  std::size_t begin = name.size() - (kMost - 3);
+  while (begin < name.size() && (name[begin] & 0xc0) == 0x80) ++begin;  // between characters
+  return "..." + name.substr(begin);
 }
 
 std::vector<std::string> Corpus::file_hashes() const {
@@ -316,6 +381,7 @@ std::shared_ptr<const Corpus> CorpusShelf::get(const std::vector<CorpusFile>& fi
   for (const CorpusFile& file : files) {
     for (const std::string* part : {&file.path, &file.name, &file.group})
       key.append(1, '\n').append(*part);
+    if (file.held) key += fmt::format("\n{} {}", file.held->record.hash, file.held->record.first);
   }
   std::shared_ptr<const Corpus>& corpus = corpora_[content_hash(key)];
   if (!corpus) corpus = std::make_shared<const Corpus>(files, options);

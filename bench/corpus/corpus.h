@@ -40,12 +40,25 @@ class Spool {
   std::vector<char> buffer_;  // not written yet
 };
 
+/// A file as a study has read it before, with the graphs taken of it: lines of sparse6 by place.
+struct HeldFile {
+  CollectedFile record;
+  std::map<std::uint32_t, std::string> lines;
+};
+
 /// A file of a corpus.
 struct CorpusFile {
   std::string path;
   std::string name;          ///< of its graph in rows; empty where the corpus is one file
   std::string group;         ///< in rows
   std::string problem = {};  ///< it cannot be read for that reason; empty: nobody knows before
+  std::string file = {};     ///< path within the collection; empty where the corpus is one file
+  std::shared_ptr<const HeldFile> held = {};  ///< given: nothing is read, its graphs are these
+};
+
+/// Says how files differ from those that a corpus holds: what they hold by now is added.
+struct CorpusGrowth {
+  std::vector<std::string> added, changed, gone;
 };
 
 /// Holds how the graphs of files are taken into a study.
@@ -55,6 +68,7 @@ struct CorpusOptions {
   std::uint64_t sample = 0;        ///< so many of the graphs; 0: all
   std::uint64_t sample_seed = 0;
   bool skip = false;  ///< a file is read up to its first error and listed; else that is thrown
+  bool looks_again = false;  ///< files are held, and all that there are now stand behind them
 
   /// All of it, "format=…;…": equal texts mean equal options.
   std::string text() const;
@@ -73,7 +87,8 @@ struct GraphIdentity {
 /// names and a hash a file, and one graph at a time.
 class Corpus {
  public:
-  /// Reads the files whole (graphs in any format, packed or not).
+  /// Reads the files whole (graphs in any format, packed or not). Behind files that are held, one
+  /// is left out that holds what a held file of its name does.
   /// @throws InputError naming file and line if a graph cannot be read; if there are more than 10^7
   /// graphs and no sample is taken; if the temporary file cannot be written.
   Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& options);
@@ -87,6 +102,10 @@ class Corpus {
   std::uint64_t graphs_in_file() const { return graphs_in_file_; }
   /// Files left out because of CorpusOptions::skip; their collection has no name yet.
   const std::vector<SkippedFile>& skipped() const { return skipped_; }
+
+  const CorpusGrowth& growth() const { return growth_; }
+  /// The files with graphs, by place; their family has no name yet.
+  const std::vector<CollectedFile>& files() const { return records_; }
 
   /// Returns the identity of the graph at that place. O(log files).
   GraphIdentity identity(std::uint32_t place) const;
@@ -134,8 +153,10 @@ class Corpus {
 
   std::string path_;  // of the file being read, or of the last one
   std::string hash_;
-  std::vector<ReadFile> files_;  // those with graphs, by place
+  std::vector<ReadFile> files_;         // those with graphs, by place
+  std::vector<CollectedFile> records_;  // of the same
   std::vector<SkippedFile> skipped_;
+  CorpusGrowth growth_;
   std::uint64_t graphs_in_file_ = 0;
   std::vector<TakenGraph> entries_;   // by place
   std::vector<std::uint32_t> order_;  // places in entries_, by n and place

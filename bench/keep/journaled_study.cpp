@@ -61,6 +61,14 @@ void copy_rows(const JournaledStudy& study, const RowCollection& rows, JournalWr
   journal.sync();
 }
 
+// Does it have files that its journals know nothing of?
+bool has_grown(const StudySpec& spec) {
+  return spec.grows && std::ranges::any_of(corpora_of(spec), [](const StudyCorpus& corpus) {
+           const CorpusGrowth& growth = corpus.corpus->graphs->growth();
+           return !growth.added.empty() || !growth.changed.empty();
+         });
+}
+
 // Before rows go, all are in the results file. @throws InputError if another process is at work.
 void fold_journals(const JournaledStudy& study, const StudyIdentity& identity) {
   std::vector<std::unique_ptr<JournalWriter>> locked;
@@ -68,7 +76,9 @@ void fold_journals(const JournaledStudy& study, const StudyIdentity& identity) {
     locked.push_back(std::make_unique<JournalWriter>(journal, identity, run_format()));
   }
   if (!rows_are_in_results(study.results)) {
-    write_rows_so_far(study, plan_of(study), study.results);
+    JournaledStudy begun = study;
+    begun.spec.grows = false;
+    write_rows_so_far(begun, plan_of(begun), study.results);
   }
   remove_journals(study.results);
 }
@@ -96,8 +106,9 @@ void seed_journal(const JournaledStudy& study, const StudyPlan& plan,
   if (study.has_journals && existing_journals(study.results).empty()) {
     throw InputError(fmt::format("{}: another process has finished the study", study.results));
   }
-  if (!study.again.empty()) fold_journals(study, identity);
-  if (!study.seed_from_results && study.again.empty()) return;
+  const bool begins_anew = !study.again.empty() || has_grown(study.spec);
+  if (begins_anew) fold_journals(study, identity);
+  if (!study.seed_from_results && !begins_anew) return;
   const std::string journal_of_study = journal_path(study.results);
   const std::string seed = name_of_new_file(journal_of_study);
   {

@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
+#include <set>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
@@ -18,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::int64_t kMostPlaces = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint64_t kShuffleStream = 0x73687566666c65;  // "shuffle", as the families have it
 
 std::string absolute_path(const std::string& folder, const std::string& file) {
@@ -123,13 +126,18 @@ std::map<std::string, std::string, std::less<>> read_groups(const std::string& p
   return groups;
 }
 
-// A file whose group no row can hold cannot be read.
+// A file whose group no row can hold, or whose path is too long, cannot be read.
 void require_group(CorpusFile& file) {
-  constexpr std::size_t kLongestGroup = 48;
+  constexpr std::size_t kLongestGroup = 48, kLongestPath = 512;
+  std::size_t bytes = 0;  // as results hold it
+  for (const char c : file.file) bytes += c > ' ' && c <= '~' && c != '%' ? 1 : 3;
+  if (bytes > kLongestPath) {
+    file.problem = fmt::format("{}: its path within the collection takes {} bytes, more than {}",
+                               printable(file.path), bytes, kLongestPath);
+  }
   if (file.group.size() <= kLongestGroup && printable(file.group) == file.group) return;
   file.problem = fmt::format(
-      "{}: group {} is not {} bytes of printable ASCII; `groups` names "
-      "a table of others",
+      "{}: group {} is not {} bytes of printable text; `groups` names a table of others",
       printable(file.path), shown(file.group), kLongestGroup);
 }
 
@@ -141,11 +149,14 @@ std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const Gra
   const fs::path base = base_of(record.path);
   std::vector<CorpusFile> files;
   bool any_group = groups.empty();
+  bool has_folders = false;
   for (const std::string& found : collected_paths(record.path)) {
     const fs::path within = fs::path(found).lexically_relative(base);
-    CorpusFile file{found, within.filename().string(), within.parent_path().string()};
+    CorpusFile file{
+        found, within.filename().string(), within.parent_path().string(), {}, within.string()};
+    has_folders = has_folders || !file.group.empty();
     if (!record.groups.empty()) {
-      file.name = within.string();
+      file.name = file.file;
       auto group = groups.find(file.name);
       if (group == groups.end()) group = groups.find(within.filename().string());
       file.group = group == groups.end() ? "" : group->second;
@@ -154,7 +165,10 @@ std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const Gra
     require_group(file);
     files.push_back(std::move(file));
   }
-  if (files.empty()) refuse_empty(entry);
+  for (CorpusFile& file :
+       files) {  // beside groups of sub-folders those of the folder itself are one
+    if (groups.empty() && has_folders && file.group.empty()) file.group = ".";
+  }
   if (!any_group) {
     throw InputError(fmt::format("{}{} names no file of {}", entry.place, printable(record.groups),
                                  record.name));
@@ -162,21 +176,47 @@ std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const Gra
   return files;
 }
 
+/// The files of a study that has begun, with the graphs that its results hold; none where they hold
+/// none of this family.
+std::vector<CorpusFile> held_files(const StudySpec& spec, const GraphFileRecord& record) {
+  std::vector<CorpusFile> files;
+  if (!spec.held || !spec.held->contains(record.name)) return files;
+  const std::map<std::uint32_t, std::string>& lines = spec.held->at(record.name);
+  for (const CollectedFile& file : spec.collected) {
+    if (file.name != record.name) continue;
+    if (file.first < 0 || file.graphs < 0 || file.first > kMostPlaces - file.graphs) {
+      throw InputError(fmt::format("/collected_files: {} graphs from {} on are no part of {}",
+                                   file.graphs, file.first, record.name));
+    }
+    auto held = std::make_shared<HeldFile>(HeldFile{file, {}});
+    const auto first = static_cast<std::uint32_t>(file.first);
+    const auto end = static_cast<std::uint32_t>(file.first + file.graphs);
+    held->lines = {lines.lower_bound(first), lines.lower_bound(end)};
+    const std::string name =
+        record.groups.empty() ? fs::path(file.file).filename().string() : file.file;
+    files.push_back({record.path, name, file.group, {}, file.file, std::move(held)});
+  }
+  return files;
+}
+
+/// Which file is not the one that the study began with; empty where nobody knows.
+std::string changed_file(const StudySpec& spec, const std::string& family, const Corpus& now) {
+  std::set<std::pair<std::string, std::string>> there;
+  for (const CollectedFile& file : now.files()) there.emplace(file.file, file.hash);
+  std::string first;
+  std::size_t changed = 0;
+  for (const CollectedFile& file : spec.collected) {
+    if (file.name != family || there.contains({file.file, file.hash})) continue;
+    if (changed++ == 0) first = file.file;
+  }
+  return changed == 0 ? ""
+                      : fmt::format("; {} files are gone or changed, {} is the first", changed,
+                                    printable(first));
+}
+
 bool is_family(const std::string& name) {
   return std::any_of(families().begin(), families().end(),
                      [&](const Family& family) { return family.name == name; });
-}
-
-// The file's name, cut where it is too long; what no name may have becomes '_', and '_' stands
-// before what no name begins with and before the name of a family of the catalogue.
-std::string own_name(const std::string& path) {
-  std::string name = fs::path(path).filename().string();
-  for (char& c : name) {
-    if (!is_graphs_name(std::string("a") + c)) c = '_';
-  }
-  std::string own = !is_graphs_name(name.substr(0, 1)) || is_family(name) ? "_" : "";
-  own += name;
-  return own.substr(0, kLongestGraphsName);
 }
 
 void require_name(const GraphFileRecord& record, const GraphsEntry& entry) {
@@ -226,9 +266,12 @@ class CorpusReader {
       std::error_code ignored;
       if (fs::is_directory(path, ignored)) {
         throw InputError(
-            fmt::format("{}cannot read {}: it is a directory", entry.place, printable(path)));
+            fmt::format("{}cannot read {}: it is a directory; {{ files = …, name = … }} makes one "
+                        "collection of it",
+                        entry.place, printable(path)));
       }
-      records.push_back({entry.name.empty() ? own_name(path) : entry.name, number, -1, {}, path});
+      records.push_back(
+          {entry.name.empty() ? own_graphs_name(path) : entry.name, number, -1, {}, path});
     }
     if (!entry.name.empty() && records.size() > 1) {
       throw InputError(
@@ -244,12 +287,12 @@ class CorpusReader {
     CorpusOptions options = entry.options;
     options.sample_seed = spec_.seed;
     const std::shared_ptr<const Corpus> graphs = opened(record, options, entry);
-    if (!record.hash.empty() && record.hash != graphs->hash()) {
+    if (!record.hash.empty() && record.hash != graphs->hash() && !is_held(record)) {
       throw InputError(fmt::format(
           "{}: its graphs are not those that the study began with ({} graphs with hash {} now, {} "
-          "with {} then)",
+          "with {} then{})",
           printable(record.path), graphs->graphs_in_file(), graphs->hash(), record.graphs,
-          record.hash));
+          record.hash, changed_file(spec_, record.name, *graphs)));
     }
     record.hash = graphs->hash();
     record.graphs = static_cast<std::int64_t>(graphs->graphs_in_file());
@@ -261,12 +304,34 @@ class CorpusReader {
   std::shared_ptr<const Corpus> opened(const GraphFileRecord& record, const CorpusOptions& options,
                                        const GraphsEntry& entry) const {
     try {
-      if (!entry.is_collection) return spec_.shelf->get({{record.path, "", ""}}, options);
-      return spec_.shelf->get(collected_files(record, entry), options);
+      std::vector<CorpusFile> files = held_files(spec_, record);
+      const bool grows = spec_.grows && options.sample == 0;  // a sample stays as it was drawn
+      if (files.empty() || grows) {
+        for (CorpusFile& file : files_now(record, entry, !files.empty())) {
+          files.push_back(std::move(file));
+        }
+      }
+      if (files.empty()) refuse_empty(entry);
+      CorpusOptions now = options;
+      now.looks_again = grows && files.front().held;
+      return spec_.shelf->get(files, now);
     } catch (const InputError& error) {
       const std::string message = error.what();
       throw InputError(message.starts_with(entry.place) ? message : entry.place + message);
     }
+  }
+
+  bool is_held(const GraphFileRecord& record) const {
+    return spec_.held && spec_.held->contains(record.name);
+  }
+
+  /// @param may_be_gone  then there are none where the file or folder is not there any more.
+  static std::vector<CorpusFile> files_now(const GraphFileRecord& record, const GraphsEntry& entry,
+                                           bool may_be_gone) {
+    std::error_code ignored;
+    if (may_be_gone && !is_pattern(record.path) && !fs::exists(record.path, ignored)) return {};
+    if (!entry.is_collection) return {{record.path, "", ""}};
+    return collected_files(record, entry);
   }
 
   // Rows are told apart by the graphs' hash and, for people, by the name: one must give the other.

@@ -102,8 +102,12 @@ class Planner {
     plan_.timing = spec_.timing;
     plan_.budget = spec_.budget;
     if (plan_.rows() == 0) {
-      throw InputError(
-          fmt::format("study {} has no run: no algorithm fits a family and a size", spec_.name));
+      std::string why = "no algorithm fits a family and a size";
+      for (const auto& [algorithm, families] : plan_.left_out) {
+        why += fmt::format("; {} draws degree {} at most, not {}", algorithm->name,
+                           algorithm->guarantee.max_degree, *families.begin());
+      }
+      throw InputError(fmt::format("study {} has no run: {}", spec_.name, why));
     }
     return std::move(plan_);
   }
@@ -229,12 +233,15 @@ class Planner {
   }
 
   std::vector<AlgorithmChoice> fitting_algorithms(const Sweep& sweep, const FamilyChoice& choice,
-                                                  std::uint32_t degree, std::uint64_t n) const {
+                                                  std::uint32_t degree, std::uint64_t n) {
     std::vector<AlgorithmChoice> fitting;
     for (const AlgorithmChoice& algorithm : sweep.algorithms) {
       const std::string& family_name = choice.family->name;
       const std::string& name = algorithm.algorithm->name;
       const auto limit = spec_.max_n.find(name);
+      if (degree > algorithm.algorithm->guarantee.max_degree) {
+        plan_.left_out[algorithm.algorithm].insert(family_name);
+      }
       const bool fits =
           degree <= algorithm.algorithm->guarantee.max_degree &&
           (limit == spec_.max_n.end() || n <= limit->second) &&

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -131,6 +133,8 @@ struct StudyPlan {
   PlannedInstances instances;
   TimingRules timing;  ///< of the specification
   Budget budget;       ///< of the specification
+  /// By algorithm the families that it leaves out, because their degrees pass its largest one.
+  std::map<const Algorithm*, std::set<std::string>> left_out;
   std::size_t rows() const { return instances.rows(); }
 };
 

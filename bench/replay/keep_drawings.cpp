@@ -61,7 +61,8 @@ std::optional<Drawing> drawn_again(const RunRecord& run, const StudyOrigin& orig
   return std::nullopt;
 }
 
-std::vector<std::size_t> rows_to_keep(const RowView& rows, KeptDrawings kept) {
+std::vector<std::size_t> rows_to_keep(const RowView& rows, KeptDrawings kept,
+                                      std::size_t& repeated) {
   if (kept == KeptDrawings::none) return {};
   if (kept == KeptDrawings::worst) return worst_rows(rows);
   std::vector<std::size_t> chosen;
@@ -71,7 +72,9 @@ std::vector<std::size_t> rows_to_keep(const RowView& rows, KeptDrawings kept) {
     const bool is_wanted =
         kept == KeptDrawings::all ? is_drawn(run) : run.status == RunStatus::violated;
     if (run.phase != RunPhase::metrics || !is_wanted) continue;
-    if (known.insert(drawing_of(run)).second) chosen.push_back(row);
+    const bool is_new = known.insert(drawing_of(run)).second;
+    if (is_new) chosen.push_back(row);
+    repeated += !is_new;
   }
   return chosen;
 }
@@ -82,7 +85,7 @@ KeptOutcome write_kept_drawings(const RowView& rows, KeptDrawings kept, OutputFi
   KeptOutcome outcome;
   const StudyOrigin origin = study_origin(*rows.identity);
   if (origin.spec && origin.spec->graph_files) corpora_of(*origin.spec);
-  for (const std::size_t row : rows_to_keep(rows, kept)) {
+  for (const std::size_t row : rows_to_keep(rows, kept, outcome.repeated)) {
     std::string problem;
     if (const auto drawing = drawn_again(rows.read(row), origin, problem)) {
       write_drawing_line(file, *drawing);

@@ -23,6 +23,7 @@ const std::vector<FamilyChoice>& choices_of(const std::string& family, const Stu
   const auto [known, is_new] = origin.choices->try_emplace(family);
   if (!is_new) return known->second;
   StudySpec spec = *origin.spec;
+  if (!origin.moved_graphs.empty()) spec.held = nullptr;
   for (GraphFileRecord& file : *spec.graph_files) {
     if (!origin.moved_graphs.empty() && file.name == family) file.path = origin.moved_graphs;
   }

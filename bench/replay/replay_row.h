@@ -73,6 +73,7 @@ SelfCheck selfcheck(const std::vector<RunRecord>& rows, const std::vector<std::s
 /// Holds how it went.
 struct KeptOutcome {
   std::size_t kept = 0;
+  std::size_t repeated = 0;           ///< rows whose drawing is kept for an earlier row
   std::vector<std::string> problems;  ///< a line for each drawing that could not be kept
 };
 

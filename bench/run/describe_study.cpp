@@ -4,13 +4,16 @@
 
 #include <fmt/chrono.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <set>
 
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
+#include "ar3d/formats/graphs/graph6.h"
 
 namespace ar3d {
 namespace {
@@ -27,6 +30,30 @@ std::vector<AlgorithmRecord> algorithms_of(const StudySpec& spec) {
   std::vector<AlgorithmRecord> in_order;
   for (auto& [key, record] : records) in_order.push_back(std::move(record));
   return in_order;
+}
+
+constexpr std::size_t kBytesOfAPlace = 100;  // of memory, beside the text
+
+/// The graphs of files, as far as the study wants them in its results: of each file or collection
+/// all or none.
+HeldGraphs graphs_to_hold(const StudySpec& spec, const std::vector<StudyCorpus>& corpora) {
+  HeldGraphs held;
+  double bytes = 0;
+  for (const StudyCorpus& corpus : corpora) {
+    const Corpus& graphs = *corpus.corpus->graphs;
+    std::map<std::uint32_t, std::string> lines;
+    double own = 0;
+    for (std::size_t i = 0; i < graphs.size() && bytes + own <= spec.graphs_bytes; ++i) {
+      std::string& line = lines[graphs.place(i)];
+      append_sparse6(line, graphs.graph(graphs.place(i)));
+      line.pop_back();
+      own += static_cast<double>(line.size() + kBytesOfAPlace);
+    }
+    if (bytes + own > spec.graphs_bytes || held.contains(corpus.record.name)) continue;
+    bytes += own;
+    held.emplace(corpus.record.name, std::move(lines));
+  }
+  return held;
 }
 
 /// In /environments, so that every session has its own.
@@ -59,6 +86,20 @@ void refuse_changed_programs(const StudySpec& spec, const std::vector<Environmen
   }
 }
 
+void require_programs(const StudySpec& spec) {
+  for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
+    if (program_hash(*program) != kAbsentProgram) continue;
+    const std::string& command = program->command.front();
+    std::string where = command.find('/') == std::string::npos ? " in any folder of $PATH" : "";
+    if (const std::size_t blank = command.find(' '); blank != std::string::npos) {
+      where += fmt::format("; words are a list: command = [\"{}\", …]",
+                           printable(command.substr(0, blank)));
+    }
+    throw InputError(fmt::format("program '{}' cannot be run: {} is no file that can be read{}",
+                                 program->row.name, printable(command), where));
+  }
+}
+
 Results describe_study(const StudySpec& spec, int workers) {
   Results results;
   results.study_id = spec.name;
@@ -71,28 +112,41 @@ Results describe_study(const StudySpec& spec, int workers) {
   results.tables = {algorithm_table(algorithms_of(spec))};
   std::vector<GraphFileRecord> files;
   std::vector<SkippedFile> skipped;
-  for (const StudyCorpus& corpus : corpora_of(spec)) {
+  std::vector<CollectedFile> collected;
+  std::set<std::string> known;
+  const std::vector<StudyCorpus> corpora = corpora_of(spec);
+  for (const StudyCorpus& corpus : corpora) {
     files.push_back(corpus.record);
+    if (!known.insert(corpus.record.name).second) continue;  // the same in another sweep
+    for (CollectedFile file : corpus.corpus->graphs->files()) {
+      file.name = corpus.record.name;
+      collected.push_back(std::move(file));
+    }
     for (SkippedFile file : corpus.corpus->graphs->skipped()) {
       file.name = corpus.record.name;
       skipped.push_back(std::move(file));
     }
   }
-  if (!files.empty()) results.tables.push_back(graph_file_table(files));
+  for (const SkippedFile& before : spec.skipped) {  // of a study that has begun
+    const auto is_it = [&](const auto& file) {
+      return file.name == before.name && file.file == before.file;
+    };
+    const bool is_told =
+        std::ranges::any_of(skipped, is_it) || std::ranges::any_of(collected, is_it);
+    if (!is_told) skipped.push_back(before);
+  }
+  if (!files.empty()) {
+    results.tables.push_back(graph_file_table(files));
+    results.tables.push_back(collected_file_table(collected));
+    results.tables.push_back(graphs_table(graphs_to_hold(spec, corpora)));
+  }
   if (!skipped.empty()) results.tables.push_back(skipped_file_table(skipped));
+  require_programs(spec);
   results.environment = capture_environment(workers);
   for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
     results.environment.push_back(program_entry(*program));
-    if (results.environment.back().value != kAbsentProgram) {
-      const std::string version = program_version(*program);
-      if (!version.empty())
-        results.environment.push_back({"version_" + program->row.name, version});
-      continue;
-    }
-    throw InputError(fmt::format(
-        "program '{}' cannot be run: {} is no file that can be read{}", program->row.name,
-        printable(program->command.front()),
-        program->command.front().find('/') == std::string::npos ? " in any folder of $PATH" : ""));
+    const std::string version = program_version(*program);
+    if (!version.empty()) results.environment.push_back({"version_" + program->row.name, version});
   }
   return results;
 }

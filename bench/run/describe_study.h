@@ -21,4 +21,7 @@ Results describe_study(const StudySpec& spec, int workers);
 void refuse_changed_programs(const StudySpec& spec, const std::vector<EnvironmentEntry>& before,
                              const std::string& results);
 
+/// @throws InputError naming the first program of the study that cannot be run.
+void require_programs(const StudySpec& spec);
+
 }  // namespace ar3d

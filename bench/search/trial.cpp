@@ -141,7 +141,10 @@ Drawing seed_passed_bound(const Graph& graph, const Drawing& drawing, const Guar
 
 Drawing draw_subject(const Subject& subject, const Graph& graph) {
   const Algorithm& algorithm = *subject.choice.algorithm;
-  Drawing drawing = draw(algorithm, graph, subject.choice.options);
+  Drawing drawing =
+      subject.choice.program
+          ? subject.drawer->draw(*subject.choice.program, subject.choice.options, graph).drawing
+          : draw(algorithm, graph, subject.choice.options);
   return subject.fault == nullptr ? drawing
                                   : subject.fault->plant(graph, drawing, algorithm.guarantee);
 }
@@ -153,7 +156,10 @@ Trial try_graph(const Subject& subject, const RatioRule& rule, Graph graph) {
     const Drawing drawing = draw_subject(subject, trial.graph);
     trial.extents = bounding_box(drawing).extents();
     trial.bound = bound_of(subject, rule, trial.graph, drawing);
-    trial.ratio = ratio_of(trial, rule.measure);
+    const AlgorithmChoice& choice = subject.choice;
+    const bool has_box = !choice.program || choice.algorithm->guarantee.bound.promises_box();
+    trial.ratio = has_box ? ratio_of(trial, rule.measure) : 0;
+    if (choice.program && !choice.program->has_guarantee) return trial;
     const Certificate certificate =
         certify(trial.graph, drawing, subject.choice.algorithm->guarantee);
     if (certificate.violated()) {
@@ -161,6 +167,9 @@ Trial try_graph(const Subject& subject, const RatioRule& rule, Graph graph) {
       trial.failure = to_string(first.kind);
       trial.message = first.message;
     }
+  } catch (const ProgramFailure& failure) {
+    trial.failure = to_string(failure.status());
+    trial.message = failure.what();
   } catch (const InternalError& error) {
     trial.failure = "internal_error";
     trial.message = error.what();

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
@@ -32,11 +34,12 @@ const std::vector<SeededFault>& seeded_faults();
 /// @throws InputError naming the unknown fault and the known ones.
 const SeededFault& find_seeded_fault(std::string_view name);
 
-/// Holds what is tried on one graph after the other: an algorithm with complete options, and a
-/// fault if one is seeded.
+/// Holds what is tried on one graph after the other: an algorithm with complete options, or a
+/// program of a study, and a fault if one is seeded.
 struct Subject {
   AlgorithmChoice choice;
   const SeededFault* fault = nullptr;
+  std::shared_ptr<ExternalDrawer> drawer = {};  ///< where the choice is a program
 };
 
 /// Says which share of the bound counts.
@@ -55,7 +58,8 @@ struct Trial {
   /// extent / bound; for volume the product of (extent + 1) / (bound + 1). 0 without a positive
   /// bound.
   double ratio = 0;
-  std::string failure;  ///< kind of the first violation, "internal_error", or empty: proved right
+  std::string
+      failure;  ///< kind of the first violation, "internal_error", how a program failed, or empty
   std::string message;  ///< of the failure
 };
 

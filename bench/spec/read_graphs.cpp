@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
@@ -38,9 +39,9 @@ std::vector<std::int64_t> shuffles(const std::string& file, const toml::node& no
 void read_table(const std::string& file, const toml::node& node, GraphsEntry& entry) {
   TomlTable table(file, node, "graphs");
   entry.is_collection = table.has("files");
-  std::vector<std::string_view> keys = {
-      "name",   "skip",   "format", "base", "first_line", "simple", "largest_component",
-      "sample", "shuffle"};
+  std::vector<std::string_view> keys = {"name",       "skip",   "format",     "base",
+                                        "first_line", "simple", "undirected", "largest_component",
+                                        "sample",     "shuffle"};
   if (entry.is_collection) keys.insert(keys.end(), {"files", "groups"});
   if (!entry.is_collection) keys.push_back("file");
   table.refuse_all_but(keys);
@@ -61,7 +62,8 @@ void read_table(const std::string& file, const toml::node& node, GraphsEntry& en
   reading.base = static_cast<unsigned>(table.integer("base", 0, 1, 0));
   if (const toml::node* line = table.find("first_line"))
     reading.first_line = first_line(file, *line);
-  reading.simplify = table.boolean("simple", false);
+  reading.undirected = table.boolean("undirected", false);
+  reading.simplify = table.boolean("simple", false) || reading.undirected;
   entry.options.largest_component = table.boolean("largest_component", false);
   entry.options.sample = static_cast<std::uint64_t>(table.integer("sample", 1, kMostSampled, 0));
   if (const toml::node* shuffle = table.find("shuffle")) entry.shuffles = shuffles(file, *shuffle);
@@ -81,7 +83,25 @@ std::string toml_quoted(const std::string& text) {
   return quoted + '"';
 }
 
+/// What a folder's collection is called; empty if it is no folder.
+std::string folder_name(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error)) return "";
+  return own_graphs_name(std::filesystem::canonical(path, error).string());
+}
+
 }  // namespace
+
+std::string own_graphs_name(const std::string& path) {
+  std::string name = std::filesystem::path(path).filename().string();
+  for (char& c : name) {
+    if (!is_graphs_name(std::string("a") + c)) c = '_';
+  }
+  const bool is_family =
+      std::ranges::any_of(families(), [&](const Family& family) { return family.name == name; });
+  std::string own = !is_graphs_name(name.substr(0, 1)) || is_family ? "_" : "";
+  return (own + name).substr(0, kLongestGraphsName);
+}
 
 bool is_graphs_name(const std::string& name) {
   const auto is_plain = [](char c) {
@@ -114,11 +134,14 @@ std::vector<GraphsEntry> read_graphs(const std::string& file, const toml::node& 
 std::string graphs_study_text(const GraphsStudy& study) {
   const ReadOptions& reading = study.reading;
   std::string text =
-      fmt::format("study = \"graphs\"\nseed = {}\n\n[[sweep]]\ngraphs = [\n", study.seed);
+      fmt::format("study = \"graphs\"\nseed = {}\n{}\n[[sweep]]\n{}graphs = [\n", study.seed,
+                  study.count ? "count = true\n" : "",
+                  study.timed > 0 ? fmt::format("timed_repetitions = {}\n", study.timed) : "");
   for (const std::string& file : study.files) {
-    text += study.name.empty() ? "  { file = " : "  { files = ";
+    const std::string name = study.name.empty() ? folder_name(file) : study.name;
+    text += name.empty() ? "  { file = " : "  { files = ";
     text += toml_quoted(file);
-    if (!study.name.empty()) text += ", name = " + toml_quoted(study.name);
+    if (!name.empty()) text += ", name = " + toml_quoted(name);
     if (!study.groups.empty()) text += ", groups = " + toml_quoted(study.groups);
     if (study.skip) text += ", skip = true";
     if (study.sample > 0) text += fmt::format(", sample = {}", study.sample);
@@ -127,6 +150,7 @@ std::string graphs_study_text(const GraphsStudy& study) {
     if (reading.first_line == FirstLine::edge) text += ", first_line = \"edge\"";
     if (reading.first_line == FirstLine::header) text += ", first_line = \"header\"";
     if (study.simple) text += ", simple = true";
+    if (reading.undirected) text += ", undirected = true";
     if (study.largest_component) text += ", largest_component = true";
     if (study.shuffle) text += ", shuffle = 1";
     text += " },\n";

@@ -24,6 +24,9 @@ inline constexpr std::size_t kLongestGraphsName = 47;
 /// True if a study and its results can know graphs by this name: 1 to 47 letters, digits, '.', '-'
 /// and '_', of which the first is none of '.' and '-'.
 bool is_graphs_name(const std::string& name);
+/// What the graphs of a file or folder are called: its name, cut where it is too long; what no name
+/// may have becomes '_', which also stands before the name of a family of the catalogue.
+std::string own_graphs_name(const std::string& path);
 
 /// Each reads the value of one key of a specification. @throws InputError "file:line: message".
 TimedRepetitions read_timed_repetitions(const std::string& file, const toml::node& node);

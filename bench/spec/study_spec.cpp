@@ -26,9 +26,11 @@ class SpecReader {
     const toml::table root = parse_toml(text, file_);
     TomlTable table(file_, root, "the study");
     table.refuse_all_but({"study", "description", "seed", "timing", "budget", "accept_unproved",
-                          "count", "certificate", "keep_drawings", "algorithm", "max_n", "sweep"});
+                          "count", "certificate", "keep_drawings", "graphs_bytes", "algorithm",
+                          "max_n", "sweep"});
     StudySpec spec;
     spec.text = text;
+    if (table.has("graphs_bytes")) spec.graphs_bytes = table.number("graphs_bytes", 0, 1e12);
     spec.name = study_name(table);
     spec.description = table.text("description", "");
     spec.seed = static_cast<std::uint64_t>(
@@ -386,6 +388,9 @@ StudySpec recorded_study(const StudyIdentity& identity, const std::string& file)
     for (GraphsEntry& entry : sweep.graphs) entry.place = file + ": ";
   }
   spec.graph_files = graph_file_records(identity);
+  spec.collected = collected_file_records(identity);
+  spec.skipped = skipped_file_records(identity);
+  spec.held = std::make_shared<const HeldGraphs>(held_graphs(identity));
   return spec;
 }
 

@@ -147,6 +147,11 @@ struct StudySpec {
   std::string folder;  ///< that the files of `graphs` are looked for in; empty: the current one
   /// Given: the files that the study began with, in order; the patterns of `graphs` say no more.
   std::optional<std::vector<GraphFileRecord>> graph_files;
+  std::vector<CollectedFile> collected;  ///< of a study that has begun: its files as they were read
+  std::vector<SkippedFile> skipped;      ///< and those that could not be
+  std::shared_ptr<const HeldGraphs> held;  ///< and its graphs; null or without a family: not held
+  bool grows = false;          ///< what files hold by now and the study does not is to be added
+  double graphs_bytes = 64e6;  ///< graphs of files go into the results up to this size
   /// Files that were opened, for all copies of this specification.
   std::shared_ptr<CorpusShelf> shelf = std::make_shared<CorpusShelf>();
 };
@@ -175,7 +180,7 @@ AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
 
 /// Graphs of files to be drawn, as the command line has it.
 struct GraphsStudy {
-  std::vector<std::string> files;       ///< paths or patterns, relative to the current folder
+  std::vector<std::string> files;       ///< paths, patterns or folders, from the current one
   std::string name;                     ///< given: all files are one collection of this name
   std::string groups;                   ///< of the collection: table file -> group
   std::vector<std::string> algorithms;  ///< empty: all
@@ -185,10 +190,14 @@ struct GraphsStudy {
   bool simple = false;       ///< loops and parallel edges are dropped
   bool largest_component = false;
   bool shuffle = false;
+  bool count = false;
+  std::uint64_t timed = 0;   ///< rounds of the timing phase
   ReadOptions reading = {};  ///< of every file: format, base and first line
 };
 
-/// The specification that a GraphsStudy is short for; its name is "graphs".
+/// The name of every study that a GraphsStudy is short for.
+inline constexpr const char* kGraphsStudy = "graphs";
+/// The specification that a GraphsStudy is short for.
 std::string graphs_study_text(const GraphsStudy& study);
 
 /// "ar3d-<name>.h5".

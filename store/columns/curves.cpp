@@ -32,8 +32,12 @@ std::string family_label(const CurveKey& key) { return with_brackets(key.family,
 
 std::string graph_label(const RunRecord& run) {
   const CurveKey key = curve_of(run);
-  return fmt::format("{} on {}, n = {}, graph {}", algorithm_label(key), family_label(key),
-                     run.n >= 0 ? run.n : run.requested_n, run.instance_index);
+  const std::string& name = run.graph_name;
+  const std::string graph = name.empty()        ? fmt::format("graph {}", run.instance_index)
+                            : run.group.empty() ? name
+                                                : run.group + "/" + name;
+  return fmt::format("{} on {}, n = {}, {}", algorithm_label(key), family_label(key),
+                     run.n >= 0 ? run.n : run.requested_n, graph);
 }
 
 std::string cell_label(const CurveKey& key, std::int64_t n) {

@@ -18,7 +18,7 @@ bool fits(const std::string& text, std::size_t size) {
 
 void require_fits(const std::string& text, const std::string& column, std::size_t size) {
   if (fits(text, size)) return;
-  throw InputError(fmt::format("{} '{}' is not {} bytes of ASCII", column, text, size));
+  throw InputError(fmt::format("{} '{}' is not {} bytes of printable text", column, text, size));
 }
 
 std::string loaded_text(const char* from, std::size_t size) {

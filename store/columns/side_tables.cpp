@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <set>
+
 #include "ar3d/base/error.h"
 
 namespace ar3d {
@@ -11,6 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kBoundAxes = {"_x", "_y", "_z"};
 constexpr unsigned kLargestHalfPower = 18;  // of AxisBound
+constexpr std::size_t kSkippedFileBytes = 96;
 constexpr std::size_t kFieldsOfBound = 3 + 3 * 4;
 
 constexpr auto kInt = FieldType::int64;
@@ -70,8 +74,34 @@ TableSpec make_graph_files_spec() {
 TableSpec make_skipped_files_spec() {
   TableSpec spec{"skipped_files",
                  "files of collections that could not be read",
-                 {text_field("name", "of the collection", 48), text_field("file", "in it", 96),
+                 {text_field("name", "of the collection", 48),
+                  text_field("file", "path within it", kSkippedFileBytes),
                   text_field("reason", "why it could not be read", 240)}};
+  pack_fields(spec.fields);
+  return spec;
+}
+
+TableSpec make_collected_files_spec() {
+  TableSpec spec{"collected_files",
+                 "files whose graphs are instances, as they were read",
+                 {{"name", "", "family of their rows", FieldType::text, 48},
+                  text_field("file", "path within the collection, %XX as in graph_files", 512),
+                  text_field("group", "in rows", 48),
+                  {"hash", "", "XXH3-128 of its graphs in order", FieldType::text, 32},
+                  {"first", "1", "place of its first graph", kInt, sizeof(std::int64_t)},
+                  {"graphs", "1", "graphs in it", kInt, sizeof(std::int64_t)}}};
+  pack_fields(spec.fields);
+  return spec;
+}
+
+constexpr std::size_t kPieceBytes = 1000;
+
+TableSpec make_graphs_spec() {
+  TableSpec spec{
+      "graphs",
+      "graphs of files, as one text in pieces",
+      {text_field("text", "words: #FAMILY, @PLACE, :SPARSE6, =NUMBER of an earlier :SPARSE6",
+                  kPieceBytes)}};
   pack_fields(spec.fields);
   return spec;
 }
@@ -84,8 +114,8 @@ class FieldCursor {
   void put(const std::string& text) {
     const Field& field = next();
     if (text != fitted_text(text, field.size)) {
-      throw InputError(fmt::format("/{}: a {} is no ASCII text of at most {} bytes: {}", spec_.name,
-                                   field.name, field.size, text));
+      throw InputError(fmt::format("/{}: a {} is no printable text of at most {} bytes: {}",
+                                   spec_.name, field.name, field.size, text));
     }
     text.copy(record_ + field.offset, text.size());
   }
@@ -263,11 +293,11 @@ void set_bounds(const AlgorithmRecord* record, RunRecord& run) {
 void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord& run) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto value = [&](const SizeBound* bound) {
-      if (bound == nullptr || run.n < 1) return kMissing;
+      if (bound == nullptr || run.n < 0) return kMissing;
       return bound->axes[axis].value(static_cast<std::uint64_t>(run.n));
     };
     const double proved = value(theorem);
-    run.theorem_bound[axis] = proved > 0 ? proved : kMissing;
+    run.theorem_bound[axis] = proved > 0 || run.n == 0 ? proved : kMissing;
     run.published_bound[axis] = value(published);
     const bool has_slack = proved > 0 && run.extents[axis] >= 0;
     run.slack[axis] = has_slack ? 1 - static_cast<double>(run.extents[axis]) / proved : kMissing;
@@ -290,6 +320,105 @@ StoredTable graph_file_table(const std::vector<GraphFileRecord>& records) {
   });
 }
 
+const TableSpec& collected_files_spec() {
+  static const TableSpec spec = make_collected_files_spec();
+  return spec;
+}
+
+StoredTable collected_file_table(const std::vector<CollectedFile>& records) {
+  return table_of(collected_files_spec(), records,
+                  [](FieldCursor& to, const CollectedFile& record) {
+                    to.put(record.name);
+                    to.put(encoded(record.file));
+                    to.put(record.group);
+                    to.put(record.hash);
+                    to.put(record.first);
+                    to.put(record.graphs);
+                  });
+}
+
+std::vector<CollectedFile> collected_file_records(const StudyIdentity& identity) {
+  std::vector<CollectedFile> records;
+  for_each_record(identity, collected_files_spec(), [&](FieldCursor& from) {
+    CollectedFile& record = records.emplace_back();
+    record.name = from.text();
+    record.file = decoded(from.text());
+    record.group = from.text();
+    record.hash = from.text();
+    record.first = from.number<std::int64_t>();
+    record.graphs = from.number<std::int64_t>();
+  });
+  return records;
+}
+
+FileCounts file_counts(const StudyIdentity& identity) {
+  std::set<std::pair<std::string, std::string>> read, given;
+  for (const CollectedFile& file : collected_file_records(identity)) {
+    if (!file.file.empty()) read.emplace(file.name, fitted_text(file.file, kSkippedFileBytes));
+  }
+  given = read;
+  for (const SkippedFile& file : skipped_file_records(identity))
+    given.emplace(file.name, file.file);
+  return {read.size(), given.size()};
+}
+
+const TableSpec& graphs_spec() {
+  static const TableSpec spec = make_graphs_spec();
+  return spec;
+}
+
+StoredTable graphs_table(const HeldGraphs& graphs) {
+  std::string text;
+  std::map<std::string_view, std::size_t> numbers;  // of texts that stand there
+  for (const auto& [family, by_place] : graphs) {
+    text += fmt::format("#{} ", family);
+    std::uint64_t next = 0;
+    for (const auto& [place, line] : by_place) {
+      if (place != next) text += fmt::format("@{} ", place);
+      next = std::uint64_t{place} + 1;
+      const auto [known, is_new] = numbers.try_emplace(line, numbers.size());
+      text += is_new ? line : fmt::format("={}", known->second);
+      text += ' ';
+    }
+  }
+  std::vector<std::string> pieces;
+  for (std::size_t at = 0; at < text.size(); at += kPieceBytes) {
+    pieces.push_back(text.substr(at, kPieceBytes));
+  }
+  return table_of(graphs_spec(), pieces,
+                  [](FieldCursor& to, const std::string& piece) { to.put(piece); });
+}
+
+HeldGraphs held_graphs(const StudyIdentity& identity) {
+  std::string text;
+  for_each_record(identity, graphs_spec(), [&](FieldCursor& from) { text += from.text(); });
+  HeldGraphs graphs;
+  std::map<std::uint32_t, std::string>* family = nullptr;
+  std::vector<std::string> lines;
+  std::uint32_t place = 0;
+  for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
+    end = std::min(text.find(' ', at), text.size());
+    const std::string_view word(text.data() + at, end - at);
+    const char kind = word.empty() ? ' ' : word[0];
+    std::uint32_t number = 0;
+    const auto read = std::from_chars(text.data() + at + 1, text.data() + end, number);
+    const bool is_number = read.ec == std::errc() && read.ptr == text.data() + end;
+    const bool is_graph = kind == ':' || (kind == '=' && is_number && number < lines.size());
+    if (kind == '#') {
+      family = &graphs[std::string(word.substr(1))];
+      place = 0;
+    } else if (kind == '@' && is_number) {
+      place = number;
+    } else if (is_graph && family != nullptr) {
+      if (kind == ':') lines.emplace_back(word);
+      family->emplace(place++, kind == ':' ? lines.back() : lines[number]);
+    } else {
+      throw InputError(fmt::format("/graphs: '{}' is no word of it", word.substr(0, 40)));
+    }
+  }
+  return graphs;
+}
+
 const TableSpec& skipped_files_spec() {
   static const TableSpec spec = make_skipped_files_spec();
   return spec;
@@ -298,7 +427,7 @@ const TableSpec& skipped_files_spec() {
 StoredTable skipped_file_table(const std::vector<SkippedFile>& records) {
   return table_of(skipped_files_spec(), records, [](FieldCursor& to, const SkippedFile& record) {
     to.put(record.name);
-    to.put(fitted_text(record.file, 96));
+    to.put(fitted_text(record.file, kSkippedFileBytes));
     to.put(fitted_text(record.reason, 240));
   });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +68,34 @@ const TableSpec& skipped_files_spec();
 StoredTable skipped_file_table(const std::vector<SkippedFile>& records);
 /// The records of /skipped_files of a study; none if it has no such table.
 std::vector<SkippedFile> skipped_file_records(const StudyIdentity& identity);
+
+/// A record of /collected_files: a file whose graphs are instances, as it was read.
+struct CollectedFile {
+  std::string name;         ///< family of its rows
+  std::string file;         ///< path within the collection; empty: the file of /graph_files itself
+  std::string group;        ///< in rows
+  std::string hash;         ///< of its graphs
+  std::int64_t first = 0;   ///< place of its first graph among those of its family
+  std::int64_t graphs = 0;  ///< in it
+};
+/// The name and the fields of /collected_files; the table of these records; those of a study.
+const TableSpec& collected_files_spec();
+StoredTable collected_file_table(const std::vector<CollectedFile>& records);
+std::vector<CollectedFile> collected_file_records(const StudyIdentity& identity);
+
+/// Counts the files of all collections of a study.
+struct FileCounts {
+  std::size_t read = 0, given = 0;
+};
+FileCounts file_counts(const StudyIdentity& identity);
+
+/// The graphs that results hold: by family and place a line of sparse6 without its end.
+using HeldGraphs = std::map<std::string, std::map<std::uint32_t, std::string>>;
+/// The name and the fields of /graphs; the table of these graphs, each text once; those of a study.
+/// @throws InputError if the table is none of graphs.
+const TableSpec& graphs_spec();
+StoredTable graphs_table(const HeldGraphs& graphs);
+HeldGraphs held_graphs(const StudyIdentity& identity);
 
 /// The name and the fields of /graph_files.
 const TableSpec& graph_files_spec();

@@ -7,7 +7,15 @@
 #include <cstring>
 #include <limits>
 
+#include "ar3d/base/printable.h"
+
 namespace ar3d {
+namespace {
+
+/// Of a UTF-8 character that has begun before.
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+}  // namespace
 
 void store_missing(const Field& field, char* to) {
   const std::int64_t no_integer = -1;
@@ -23,10 +31,14 @@ std::string text_of(const Field& field, const char* record) {
 }
 
 std::string fitted_text(const std::string& text, std::size_t size) {
-  std::string fitted = text.substr(0, size);
-  std::replace_if(
-      fitted.begin(), fitted.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return fitted;
+  std::string fitted = text;
+  const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
+  const auto is_foreign = [](unsigned char c) { return c > '~'; };
+  if (!all_printable(fitted)) std::replace_if(fitted.begin(), fitted.end(), is_control, '?');
+  if (!all_printable(fitted)) std::replace_if(fitted.begin(), fitted.end(), is_foreign, '?');
+  std::size_t end = std::min(size, fitted.size());
+  while (end > 0 && end < fitted.size() && is_continuation(fitted[end])) --end;
+  return fitted.substr(0, end);
 }
 
 }  // namespace ar3d

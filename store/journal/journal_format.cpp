@@ -111,9 +111,9 @@ bool is_missing(const Field& field, const char* from) {
 }
 
 void write_text(std::string_view text, const Field& field, std::string& json) {
+  if (!all_printable(text)) throw InputError(field.name + " is no printable text");
   json += '"';
   for (const char c : text) {
-    if (c < ' ' || c > '~') throw InputError(field.name + " is no printable ASCII");
     if (c == '"' || c == '\\') json += '\\';
     json += c;
   }

@@ -62,7 +62,7 @@ std::uint64_t scan_journal(int file, const std::string& path,
 JournalHead last_journal_record(int file, const std::string& path);
 
 /// Writes a row as a JSON object of its fields, without those that hold what stands for no value.
-/// Every number reads back bit for bit. @throws InputError if a text is no printable ASCII.
+/// Every number reads back bit for bit. @throws InputError if a text is not printable.
 void write_row(const RowFormat& format, const char* record, std::string& json);
 /// @throws InputError naming `path` and the field if the text is no row of that format.
 void parse_row(const RowFormat& format, std::string_view json, const std::string& path,

@@ -77,6 +77,39 @@ TEST(Collection, PairsNameTheirOutliersAndOpenThem) {
   EXPECT_THAT(rows, Contains(417u));
 }
 
+// compact needs a quarter of diamond's volume for 399 of 400 graphs; grid as much as diamond.
+TEST(Collection, TwoSettingsAreStatedTogether) {
+  Results results = collection_results();
+  for (RunRecord& run : results.runs) run.bends = {0, run.algorithm == "compact" ? 1 : 0};
+  const auto tables = tables_of(results);
+  const auto counts = of_volume(tables["pair_counts"], 0);
+  const auto compact = rows_with(counts, "other", 1).at(0),
+             grid = rows_with(counts, "other", 2).at(0);
+  EXPECT_NEAR(compact["ratio"], 0.25, 1e-6);
+  EXPECT_NEAR(compact["ratio_low"], 0.25, 1e-6);
+  EXPECT_NEAR(compact["ratio_high"], 0.25, 1e-6);
+  EXPECT_EQ(compact["ties"], 0);
+  EXPECT_LT(compact["p"], 1e-100);
+  EXPECT_EQ(grid["ties"], 200);
+  EXPECT_EQ(grid["p"], 1);
+  const auto common = of_volume(tables["common_profile"], 0);
+  EXPECT_EQ(common.front()["graphs"], 200) << "that grid drew, too";
+  const auto of_bends = rows_with(tables["group_medians"], "measure", "bends");
+  EXPECT_EQ(rows_with(of_bends, "setting", 0).at(0)["median"], 0);
+  EXPECT_EQ(rows_with(of_bends, "setting", 1).at(0)["median"], 1);
+}
+
+TEST(Collection, GroupsSortAsPeopleDoAndNoneIsLost) {
+  Results results = collection_results(60);
+  const char* kNames[] = {"C10", "", "C2", "δ", "C2b"};
+  for (RunRecord& run : results.runs) run.group = kNames[run.instance_index % 5];
+  std::vector<std::string> order;
+  for (const auto& row : of_volume(tables_of(results)["group_medians"], 0)) {
+    order.push_back(row["group"]);
+  }
+  EXPECT_THAT(order, ElementsAre("(no group)", "C2", "C2b", "C10", "δ"));
+}
+
 // Volumes of the group "small" are n of graphs 0, 4, …: 10, 14, …, 106; four graphs have each.
 TEST(Collection, MediansOfGroupsAndBins) {
   const auto tables = tables_of(collection_results());
@@ -97,7 +130,8 @@ TEST(Collection, TheMedianOfTwoValuesIsTheirMiddle) {
     run.group = run.instance_index < 2 ? "two" : "";
     run.log2_volume = run.instance_index == 0 ? 3 : 5;
   }
-  EXPECT_NEAR(of_volume(tables_of(results)["group_medians"], 0).at(0)["median"], 20, 1e-6)
+  const auto groups = of_volume(tables_of(results)["group_medians"], 0);
+  EXPECT_NEAR(rows_with(groups, "group", "two").at(0)["median"], 20, 1e-6)
       << "of 8 and 32";
 }
 

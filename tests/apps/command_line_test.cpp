@@ -42,9 +42,26 @@ TEST(CommandLine, AnOptionOfAnAlgorithmOrFamilyIsASetting) {
   const std::string draw = "{} draw - --algorithm diamond --effort";
   expect_error(run(draw + " 2"), "not expected: '--effort'; did you mean '--set effort=2'?");
   expect_error(run(draw + "=2"), "did you mean '--set effort=2'?");
-  expect_error(run("{} generate torus -n 9 --rows 3"), "did you mean '--parameter rows=3'?");
+  expect_error(run("{} generate torus -n 9 --rows 3"), "did you mean '--set rows=3'?");
+  EXPECT_EQ(run("{} generate torus -n 9 --set rows=3").out,
+            run("{} generate torus -n 9 --parameter rows=3").out);
   expect_error(run("{} hunt --algorithm grid --rows=3"), "did you mean '--parameter rows=3'?");
   expect_error(run("{} generate torus -n 9 --effort 2"), "not expected: '--effort' (see ");
+}
+
+TEST(CommandLine, WithoutAVerbItShowsTheVerbs) {
+  expect_error(run("{}"), {"study ", "draw ", "Exit codes:"});
+}
+
+TEST(CommandLine, AFileIsNotWrittenUnderAnothersEnding) {
+  const ScratchDirectory scratch;
+  const std::string line = scratch.path("k4.jsonl");
+  must("{} generate k4 | {} draw - -o " + line + " 2>&1");
+  expect_one_line(run("{} view " + line + " -o " + scratch.path("d.svg")),
+                  "this file is written as .html, not as .svg");
+  expect_one_line(run("{} report r.h5 -o r.pdf"), "this file is written as .html, not as .pdf");
+  expect_one_line(run("{} study run smoke -o out.csv"), "written as .h5, not as .csv");
+  expect_exit(0, run("{} view " + line + " -o " + scratch.path("page")));
 }
 
 TEST(CommandLine, TheDegreeDecidesWhatDraws) {

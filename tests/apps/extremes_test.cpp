@@ -3,7 +3,9 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <set>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/model/real_points.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/run_storage.h"
@@ -26,6 +28,7 @@ TEST(Extremes, TheStudyIsAllRightAndHasNoNaNWhereANumberIsDue) {
   const std::string results = scratch.path("extremes.h5");
   expect_exit(0, run("{} study run extremes -q --threads 1 -o " + results));
   std::size_t tiny = 0;
+  std::set<std::string> drew_nothing;
   RunReader reader(results);
   ASSERT_GT(reader.size(), 100u);
   for (std::size_t i = 0; i < reader.size(); ++i) {
@@ -33,6 +36,7 @@ TEST(Extremes, TheStudyIsAllRightAndHasNoNaNWhereANumberIsDue) {
     SCOPED_TRACE(row.family + " n=" + std::to_string(row.n) + " " + row.algorithm);
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
     tiny += row.n <= 3;
+    if (row.n == 0) drew_nothing.insert(row.algorithm);
     EXPECT_TRUE(std::isfinite(row.log2_volume));
     EXPECT_TRUE(std::isfinite(row.total_edge_length));
     EXPECT_TRUE(std::isfinite(row.longest_edge_length));
@@ -43,6 +47,7 @@ TEST(Extremes, TheStudyIsAllRightAndHasNoNaNWhereANumberIsDue) {
     EXPECT_EQ(row.peak_scope, "worker");
   }
   EXPECT_GE(tiny, 20u);
+  EXPECT_EQ(drew_nothing.size(), algorithms().size()) << "the graph of no vertices";
 }
 
 // With 2.6 bytes of stack a vertex nothing can descend vertex by vertex.

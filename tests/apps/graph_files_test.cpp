@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "ar3d/bench/measure/environment.h"
@@ -138,48 +139,123 @@ TEST_F(GraphFiles, ThreadsWorkersShardsAndRanksMakeTheSameRows) {
   expect_same_rows(path("one.h5"), path("ranks.h5"));
 }
 
-TEST_F(GraphFiles, AKilledStudyIsResumedFromAnywhereAndAChangedFileIsRefused) {
+TEST_F(GraphFiles, AKilledStudyIsResumedWithoutItsFile) {
   must("{} generate random-cubic -n 300 --count 900 -o " + path("many.s6"));
   const std::string options = "run -q --graphs many.s6 --algorithm grid --threads 1 -o ";
   must(study(options + path("whole.h5")));
   run("cd " + path("") + " && " +
       begun_and_killed("{} study " + options + path("cut.h5"), path("cut.h5")));
   ASSERT_TRUE(fs::exists(path("cut.h5.journal")));
-  fs::copy_file(path("many.s6"), path("kept"));
-  must("{} generate random-cubic -n 300 --count 900 --seed 5 -o " + path("other.s6"));
-  fs::copy_file(path("other.s6"), path("many.s6"), fs::copy_options::overwrite_existing);
-  expect_one_line(run("{} study resume -q " + path("cut.h5")),
-                  "its graphs are not those that the study began with");
   fs::remove(path("many.s6"));
-  expect_exit(2, run("{} study resume -q " + path("cut.h5")));
-  fs::copy_file(path("kept"), path("many.s6"));
   expect_exit(0, run("{} study resume -q " + path("cut.h5")));
   expect_same_rows(path("whole.h5"), path("cut.h5"));
 }
 
-TEST_F(GraphFiles, RowsAreMadeAgainFromTheFileWhereverItIsNow) {
+TEST_F(GraphFiles, RowsAreMadeAgainWithoutTheFileOrFromAnother) {
   must(study("run -q --graphs cubic.s6 --shuffle --algorithm compact -o a.h5"));
   const std::string replay = "{} replay " + path("a.h5") + " 77";
+  fs::rename(path("cubic.s6"), path("moved.s6"));
   EXPECT_THAT(run(replay).out, HasSubstr("every non-timing column is equal, bit for bit"));
   expect_exit(0, run("{} replay --all " + path("a.h5")));
-  fs::rename(path("cubic.s6"), path("moved.s6"));
-  expect_exit(2, run(replay));
   expect_exit(0, run(replay + " --graphs " + path("moved.s6") + " -o " + path("d.jsonl")));
   EXPECT_TRUE(fs::exists(path("d.jsonl")));
   expect_error(run(replay + " --graphs " + path("four.g6")),
                "its graphs are not those that the study began with");
 }
 
-TEST_F(GraphFiles, AChangedFileIsRefusedOnceByStudyDrawings) {
-  must(study("run -q --graphs cubic.s6 --algorithm compact -o a.h5"));
+// Beyond `graphs_bytes` the results hold no graphs: the files have to be as they were.
+TEST_F(GraphFiles, AChangedFileThatIsNotHeldIsRefusedAndNamed) {
+  scratch_.write("s.toml", R"(study = "mine"
+graphs_bytes = 100
+[[sweep]]
+graphs = { files = "*.?6", name = "nets" }
+algorithms = "diamond"
+)");
+  must(study("run -q s.toml -o a.h5"));
   fs::copy_file(path("four.g6"), path("cubic.s6"), fs::copy_options::overwrite_existing);
-  expect_one_line(run("{} replay --keep all " + path("a.h5")),
-                  "its graphs are not those that the study began with");
+  for (const char* verb : {"replay --keep all ", "study resume "}) {
+    expect_one_line(run(fmt::format("{{}} {}{}", verb, path("a.h5"))),
+                    "; 1 files are gone or changed, cubic.s6 is the first)");
+  }
   EXPECT_FALSE(fs::exists(path("a.drawings.jsonl")));
-  fs::remove(path("cubic.s6"));
-  const Outcome gone = expect_exit(2, run("{} replay --keep all " + path("a.h5")));
-  EXPECT_THAT(gone.err, HasSubstr("cannot read " + path("cubic.s6")));
-  EXPECT_THAT(gone.err, Not(ContainsRegex("[.]h5:[0-9]"))) << "a line of a text that nobody saw";
+}
+
+class LivingCollection : public GraphFiles {
+ protected:
+  void SetUp() override {
+    for (const char* folder : {"coll", "coll/C2", "coll/C10", "coll/δελτα"}) {
+      fs::create_directory(path(folder));
+    }
+    make("cycle -n 5", "C2/größe.s6");
+    make("cycle -n 6", "C10/six.g6");
+    make("cycle -n 7", "δελτα/seven.gml");
+    make("petersen", "top.dot");
+    scratch_.write("coll/C2/weighted.edgelist", "0 1 0.5\n1 2 3\n");
+    scratch_.write("coll/C2/notes.txt", "no graph\n");
+  }
+  void make(const std::string& family, const std::string& file) const {
+    must(fmt::format("{{}} generate {} -o {}", family, path("coll/" + file)));
+  }
+  /// "group/graph_name" of every row.
+  std::set<std::string> rows() const {
+    std::set<std::string> found;
+    for (const RunRecord& row : read_results(path("r.h5")).runs) {
+      EXPECT_EQ(row.status, RunStatus::ok) << row.message;
+      found.insert(row.group + "/" + row.graph_name);
+    }
+    return found;
+  }
+};
+
+TEST_F(LivingCollection, GrowsAndKeepsWhatIsGone) {
+  expect_output(run(study("run -q --graphs coll --skip --algorithm diamond -o r.h5")),
+                {"5 rows, 5 proved", "files    5 of 6 were read"});
+  const std::set<std::string> begun = {"C2/größe.s6", "C10/six.g6", "δελτα/seven.gml", "./top.dot",
+                                       "C2/weighted.edgelist"};
+  EXPECT_EQ(rows(), begun);
+  const Results before = read_results(path("r.h5"));
+  make("cycle -n 9", "C10/nine.s6");
+  make("cycle -n 8", "C10/six.g6 --force");
+  fs::remove(path("coll/top.dot"));
+  const Outcome resumed = expect_exit(0, run(study("resume -q r.h5")));
+  EXPECT_THAT(resumed.err, AllOf(HasSubstr("coll: 1 file new, to be drawn: C10/nine.s6"),
+                                 HasSubstr("1 file changed, to be drawn beside the rows that are "
+                                           "there: C10/six.g6"),
+                                 HasSubstr("1 file gone, whose rows and graphs stay in the "
+                                           "results: top.dot")));
+  const Results after = read_results(path("r.h5"));
+  ASSERT_EQ(after.runs.size(), 7u);
+  std::map<std::string, RunRecord> by_key;
+  for (const RunRecord& row : after.runs) by_key[row.row_key] = row;
+  for (const RunRecord& row : before.runs) {
+    EXPECT_EQ(differing_columns(row, by_key.at(row.row_key)), std::vector<std::string>());
+    EXPECT_EQ(row.wall_s, by_key.at(row.row_key).wall_s) << "it is kept, not made again";
+  }
+  fs::remove_all(path("coll"));
+  expect_output(run(study("resume -q r.h5")), "7 rows, 7 proved");
+  expect_output(run("{} replay --all " + path("r.h5")), "7 of 7 rows made again: 7 equal");
+  expect_output(run("{} replay --keep all " + path("r.h5")), "");
+  expect_exit(0, run("{} verify " + path("r.drawings.jsonl")));
+}
+
+TEST_F(LivingCollection, WhatWasLeftOutIsSaidEverywhere) {
+  must(study("run -q --graphs coll --skip --algorithm diamond -o r.h5"));
+  for (const char* verb : {"check", "study status"}) {
+    expect_output(run(fmt::format("{{}} {} {}", verb, path("r.h5"))), "files    5 of 6 were read");
+  }
+  const auto json = nlohmann::json::parse(run("{} check --json " + path("r.h5")).out);
+  EXPECT_EQ(json["files_given"], 6);
+  EXPECT_EQ(json["skipped_files"][0]["file"], "C2/notes.txt");
+  EXPECT_THAT(json["skipped_files"][0]["reason"].get<std::string>(),
+              AllOf(StartsWith("C2/notes.txt:1"), Not(HasSubstr(path("")))));
+  must("{} report " + path("r.h5") + " -o " + path("r.html") + " --rows " + path("rows.csv") +
+       " --json " + path("r.json"));
+  const auto tables = nlohmann::json::parse(read_file(path("r.json")))["tables"];
+  EXPECT_EQ(tables["study"]["rows"][0].back(), 6);
+  EXPECT_EQ(tables["skipped_files"]["rows"].size(), 1u);
+  EXPECT_THAT(read_file(path("rows.csv")),
+              AllOf(StartsWith("row,key,algorithm,options,family,parameters,graph_name,group,"),
+                    HasSubstr(",größe.s6,C2,")));
 }
 
 TEST_F(GraphFiles, AFileUnderAnotherNameIsComparedRowByRow) {
@@ -187,6 +263,35 @@ TEST_F(GraphFiles, AFileUnderAnotherNameIsComparedRowByRow) {
   fs::rename(path("cubic.s6"), path("renamed.s6"));
   must(study("run -q --graphs renamed.s6 --algorithm grid -o b.h5"));
   expect_exit(0, run("{} compare --drawings-only " + path("a.h5") + " " + path("b.h5")));
+}
+
+TEST_F(GraphFiles, AreTimedIfAsked) {
+  expect_output(run(study("run -q --graphs cubic.s6 four.g6 --sample 3 --algorithm diamond --timed "
+                          "2 --threads 1 --force-timing -o a.h5")),
+                "18 rows, 18 proved");
+  expect_output(run(study("run -q --graphs cubic.s6 --sample 3 --algorithm diamond -o b.h5")),
+                "times    not measured: --timed N does");
+}
+
+TEST_F(GraphFiles, FormatsOfOthersAreConvertedOrRefusedByName) {
+  must(
+      "/usr/bin/python3 -c \"import networkx as n; g = n.petersen_graph(); d = n.DiGraph(g); "
+      "n.write_gexf(g, '" +
+      path("p.gexf") + "'); n.write_pajek(g, '" + path("p.net") + "'); n.write_gml(d, '" +
+      path("p.gml") + "'); n.write_graphml(d, '" + path("p.graphml") + "')\"");
+  for (const char* file : {"p.gexf", "p.net"}) {
+    expect_one_line(run("{} draw " + path(file)), "examples/convert.py makes GraphML of it");
+    must(fmt::format("/usr/bin/python3 {}/examples/convert.py {} {}", AR3D_SOURCE_DIR, path(file),
+                     path("converted.graphml")));
+    expect_output(run("{} draw " + path("converted.graphml") + " | {} verify -"), "1 certified");
+  }
+  for (const char* file : {"p.gml", "p.graphml"}) {
+    expect_one_line(run("{} draw " + path(file)), "(--undirected drops directions)");
+    expect_output(run("{} draw --undirected --level extents " + path(file)), "\"n\":10,\"m\":15,");
+  }
+  expect_output(run("echo 'digraph { a -> b -> a; b -> c }' | {} draw - --undirected --level "
+                    "extents"),
+                "\"n\":3,\"m\":2,");
 }
 
 TEST_F(GraphFiles, AnyNameOfAFileWillDo) {
@@ -200,8 +305,8 @@ TEST_F(GraphFiles, AnyNameOfAFileWillDo) {
     const std::string family = read_results(path("a.h5")).runs.at(0).family;
     EXPECT_EQ(family, name == many ? name.substr(0, 47) : "_" + name);
   }
-  expect_error(run(study("run -q --graphs " + path("") + " --algorithm diamond")),
-               "it is a directory");
+  expect_output(run(study("run -q --graphs " + path("") + " --skip --algorithm diamond -o b.h5")),
+                "files ");
 }
 
 TEST_F(GraphFiles, TheCommandLineSaysHowAnEdgeListIsRead) {
@@ -246,6 +351,8 @@ TEST_F(GraphFiles, CallgrindCountsTheirDrawings) {
 TEST_F(GraphFiles, BadCommandsSayWhy) {
   const std::pair<const char*, const char*> cases[] = {
       {"run", "either STUDY or --graphs"},
+      {"run --graphs cubic.s6 four.g6 --name x", "a pattern in quotes, or a folder, is one"},
+      {"run --graphs cubic.s6 -o out.csv", "this file is written as .h5, not as .csv"},
       {"run smoke --graphs cubic.s6", "either STUDY or --graphs"},
       {"run smoke --algorithm diamond", "--algorithm requires --graphs"},
       {"run --graphs none.s6", "cannot read"},

@@ -45,6 +45,10 @@ TEST_F(Mpi, FourRanksMakeTheSameRows) {
   EXPECT_EQ(run("ls " + path("*.journal")).out, "");
 }
 
+TEST_F(Mpi, ThePlainProgramNamesTheOther) {
+  expect_one_line(run("OMPI_COMM_WORLD_SIZE=2 {} study run smoke"), "ar3d-mpi shares the rows");
+}
+
 TEST_F(Mpi, OneRankMakesAllRows) {
   const Outcome one = expect_exit(0, run(ranks(1) + "study run smoke -q -o " + path("one.h5")));
   expect_exit(0, run("{} study run smoke -q -o " + path("alone.h5")));

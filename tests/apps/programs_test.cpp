@@ -275,6 +275,34 @@ TEST_F(OwnProgram, NobodyKnowsBeforeWhatItCosts) {
               HasSubstr("for the largest row; of 4 rows time and memory are not known\n"));
 }
 
+// Wrong wherever there is a triangle: its vertices are put on one line.
+TEST_F(OwnProgram, AWrongDrawingIsHuntedAndShrunk) {
+  scratch_.write("mine.py", R"(import sys
+while True:
+    n, m = map(int, sys.stdin.readline().split())
+    edges = [tuple(map(int, sys.stdin.readline().split())) for _ in range(m)]
+    near = [set() for _ in range(n)]
+    for u, v in edges: near[u].add(v), near[v].add(u)
+    at = [[i, i * i, i ** 3] for i in range(n)]
+    for u, v in edges:
+        for w in near[u] & near[v]: at[u], at[v], at[w] = [-1, 0, 0], [-2, 0, 0], [-3, 0, 0]
+    print('{"vertices":' + str(at) + '}', flush=True)
+)");
+  const std::string text = read_file(spec());
+  const std::size_t sweep = text.find("[[sweep]]");
+  const std::string study = scratch_.write(
+      "g.toml", text.substr(0, sweep) +
+                    "guarantee = { max_degree = 4, max_bends = 0, cosine = [1, 1] }\n" +
+                    text.substr(sweep));
+  const std::string of = " --algorithm mine --study " + study;
+  const Outcome hunt =
+      run("{} hunt --family random-4-regular -n 20 --evaluations 50" + of + " -o " + path("found"));
+  expect_output(hunt, "VIOLATED: ", 4);
+  expect_output(run("{} shrink " + path("found.s6") + of + " -o " + path("least")), "; none can go",
+                4);
+  expect_output(run("cd " + path("") + " && $(sed -n 's|^ar3d |{} |p' least.txt)"), "VIOLATED", 4);
+}
+
 TEST_F(OwnProgram, AGuaranteePromisesNoBox) {
   scratch_.write("mine.py", kBody);
   const std::string text = read_file(spec());
@@ -295,7 +323,10 @@ TEST_F(OwnProgram, AGuaranteePromisesNoBox) {
 }
 
 TEST_F(OwnProgram, AnExecutableThatIsNotThereIsRefusedAtTheStart) {
+  expect_one_line(run("{} study run " + spec("\"./x --a\"")),
+                  "words are a list: command = [\"./x\"");
   for (const char* command : {"\"/nonexistent/x\"", "\"no-such-drawer-anywhere\""}) {
+    expect_one_line(run("{} study plan " + spec(command)), "program 'mine' cannot be run: ");
     expect_one_line(run("{} study run -q " + spec(command) + " -o " + path("s.h5")),
                     "program 'mine' cannot be run: ");
     EXPECT_EQ(run("ls " + path("s.h5") + "*").out, "");

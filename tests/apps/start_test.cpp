@@ -182,7 +182,7 @@ TEST(Collections, WhatCannotBeReadIsSkippedAlone) {
   const std::string study = "{} study run -q --graphs " + folder +
                             " --name c --algorithm grid -o " + scratch.path("r.h5");
   expect_error(run(study), "c/");
-  expect_output(run(study + " --skip"), "skipped  3 files");
+  expect_output(run(study + " --skip"), "files    1 of 4 were read");
   EXPECT_EQ(read_results(scratch.path("r.h5")).runs.size(), 1u);
 }
 

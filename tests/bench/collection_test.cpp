@@ -54,7 +54,7 @@ class Collections : public ::testing::Test {
 
 TEST_F(Collections, AFolderIsOneFamilyWithGroupsAndNames) {
   const auto all = ElementsAre("b two.s6#0 4", "b two.s6#1 5", "b two.s6#2 7", "a one.graphml 10",
-                               " top.edges 10");
+                               ". top.edges 10");
   EXPECT_THAT(rows("{ files = \"c\", name = \"mine\" }"), all);
   EXPECT_EQ(keys.size(), 5u) << "two files with the same graphs have rows of their own";
   EXPECT_THAT(rows("{ files = \"c/*\", name = \"mine\" }"), all);
@@ -114,7 +114,7 @@ TEST_F(Collections, WhatCannotBeIsRefusedInOneLine) {
       {"{ files = \"c\", name = \"mine\", groups = \"broken.csv\" }",
        "broken.csv:1: 'top.edges' is no line"},
       {"{ files = \"c\", name = \"mine\", groups = \"long.csv\" }",
-       "is not 48 bytes of printable ASCII"},
+       "is not 48 bytes of printable text"},
       {"[{ files = \"c\", name = \"mine\" }, \"c/top.edges\"]",
        "a file of top.edges holds the same graphs as one of mine"},
   };

@@ -116,9 +116,13 @@ TEST_F(ResultsFile, EqualResultsGiveEqualBytes) {
 TEST_F(ResultsFile, CutsMessagesAndRefusesLongNames) {
   Results results = sample_results(1);
   results.runs[0].message = "line\n\xc3\xb6" + std::string(1000, 'x');
+  results.runs[0].group = "\u03b4\u03b5\u03bb\u03c4\u03b1";
   write_results(results, in_folder("r.h5"));
-  const std::string message = read_results(in_folder("r.h5")).runs[0].message;
-  EXPECT_EQ(message, "line???" + std::string(233, 'x'));
+  const RunRecord run = read_results(in_folder("r.h5")).runs[0];
+  EXPECT_EQ(run.message, "line?\u00f6" + std::string(233, 'x'));
+  EXPECT_EQ(run.group, results.runs[0].group);
+  results.runs[0].group = "\xff";
+  EXPECT_THAT(write_error(results, in_folder("s.h5")), HasSubstr("is not 48 bytes of printable"));
   results.runs[0].family = std::string(100, 'f');
   EXPECT_THAT(write_error(results, in_folder("s.h5")), HasSubstr("family 'ffff"));
   EXPECT_FALSE(fs::exists(in_folder("s.h5")));
