@@ -24,7 +24,7 @@ StripSize narrow_size(const NarrowOrder& order, const Tightness& tightness);
 /// @return nothing if the ejections do not suffice. Tries O(n + ejections) cells in any case, each
 /// in O(1) expected.
 std::optional<Strip> fill_narrow_strip(const NarrowOrder& order, std::size_t num_edges,
-                                       const Tightness& tightness, RandomStream random,
+                                       const Tightness& tightness, strips::NumbersAhead random,
                                        Census& census);
 
 using strips::Census;

@@ -128,7 +128,7 @@ class Sweeper {
   }
 
   void ask_ahead(const std::vector<Vertex>& vertices, std::size_t i) const {
-    constexpr std::size_t kNear = 6, kFar = 12;
+    constexpr std::size_t kNear = 12, kFar = 24;
     if (i + kFar < vertices.size()) {
       __builtin_prefetch(graph_.incident(vertices[i + kFar]).data());
     }

@@ -28,7 +28,8 @@ std::int32_t quotient_down(std::int32_t a, std::int32_t b) { return a / b - (a %
 /// Puts vertices at random cells of one strip.
 class OrderedPlacer {
  public:
-  OrderedPlacer(Strip& strip, const NarrowOrder& order, RandomStream& random, Census& census)
+  OrderedPlacer(Strip& strip, const NarrowOrder& order, strips::NumbersAhead& random,
+                Census& census)
       : strip_(strip), order_(order), random_(random), census_(census) {
     for (std::size_t v = 0; v < order.position.size(); ++v) {
       if (order.links.of[v] == Class::n) ++before_[order.position[v] + 1u];
@@ -152,7 +153,7 @@ class OrderedPlacer {
 
   Strip& strip_;
   const NarrowOrder& order_;
-  RandomStream& random_;
+  strips::NumbersAhead& random_;
   Census& census_;
 };
 
@@ -182,7 +183,7 @@ StripSize narrow_size(const NarrowOrder& order, const Tightness& tightness) {
 }
 
 std::optional<Strip> fill_narrow_strip(const NarrowOrder& order, std::size_t num_edges,
-                                       const Tightness& tightness, RandomStream random,
+                                       const Tightness& tightness, strips::NumbersAhead random,
                                        Census& census) {
   const auto n = static_cast<std::int64_t>(order.position.size());
   std::optional<Strip> strip(std::in_place, order.links, num_edges, narrow_size(order, tightness),

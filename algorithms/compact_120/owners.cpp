@@ -15,7 +15,7 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::uint32_t kRoot = kNone - 1;
 constexpr std::uint32_t kAgain = kNone - 2;  ///< the node's component is to be searched again
 
-constexpr Vertex kAhead = 8;
+constexpr Vertex kAhead = 16;
 
 Vertex vertex_of(std::uint32_t node) { return node / 2; }
 

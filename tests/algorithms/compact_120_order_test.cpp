@@ -157,7 +157,7 @@ TEST(Compact120Levels, GiveWayToTheMovedOrderWhereTheyFail) {
   EXPECT_EQ(fault_of_links(graph, order.links), "");
   expect_positions_grow(graph, order);
   Census census;
-  EXPECT_TRUE(fill_narrow_strip(order, graph.num_edges(), {}, RandomStream(1), census));
+  EXPECT_TRUE(fill_narrow_strip(order, graph.num_edges(), {}, strips::NumbersAhead(1), census));
 }
 
 }  // namespace

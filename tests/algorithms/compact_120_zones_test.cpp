@@ -92,7 +92,7 @@ TEST(Compact120Strip, GivesBackWhatAVertexUsed) {
   const NarrowOrder order = narrow_order(graph, strips::NumbersAhead(1));
   Census census;
   std::optional<Strip> strip =
-      fill_narrow_strip(order, graph.num_edges(), {}, RandomStream(1), census);
+      fill_narrow_strip(order, graph.num_edges(), {}, strips::NumbersAhead(1), census);
   ASSERT_TRUE(strip);
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     const Site site = strip->site(v);
@@ -108,7 +108,7 @@ TEST(Compact120Strip, IsGivenUpAfterItsEjections) {
   const NarrowOrder order = narrow_order(graph, strips::NumbersAhead(1));
   Census census;
   const Tightness tight{.cells = 15, .ejections = 50};
-  EXPECT_FALSE(fill_narrow_strip(order, graph.num_edges(), tight, RandomStream(1), census));
+  EXPECT_FALSE(fill_narrow_strip(order, graph.num_edges(), tight, strips::NumbersAhead(1), census));
   EXPECT_LE(census.ejections, 100 + 20);
   EXPECT_LE(census.trials, 12 * (200 + 2 * 120 + 1));
   EXPECT_GT(narrow_size(order, strips::widened(tight)).columns, narrow_size(order, tight).columns);
