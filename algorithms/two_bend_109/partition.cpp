@@ -40,21 +40,17 @@ struct Pieces {
 /// is a component of it in which all degrees are at least 3.
 class Rest {
  public:
-  explicit Rest(const Graph& graph)
-      : graph_(graph),
-        degree_(graph.num_vertices()),
-        mark_(graph.num_vertices()),
-        parent_(graph.num_vertices()) {
+  explicit Rest(const Graph& graph) : graph_(graph), at_(graph.num_vertices()) {
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      degree_[v] = static_cast<std::int8_t>(graph.degree(v));
+      at_[v].degree = static_cast<std::int8_t>(graph.degree(v));
     }
   }
-  bool has(Vertex v) const { return degree_[v] >= 0; }
-  std::uint32_t degree(Vertex v) const { return static_cast<std::uint32_t>(degree_[v]); }
+  bool has(Vertex v) const { return at_[v].degree >= 0; }
+  std::uint32_t degree(Vertex v) const { return static_cast<std::uint32_t>(at_[v].degree); }
   void remove(Vertex v) {
-    degree_[v] = -1;
+    at_[v].degree = -1;
     for (const HalfEdge& half : graph_.incident(v)) {
-      if (has(half.to)) --degree_[half.to];
+      if (has(half.to)) --at_[half.to].degree;
     }
   }
 
@@ -80,12 +76,12 @@ class Rest {
 
   std::vector<Vertex> component(Vertex v) {
     ++stamp_;
-    mark_[v] = stamp_;
+    at_[v].mark = stamp_;
     std::vector<Vertex> found = {v};
     for (std::size_t i = 0; i < found.size(); ++i) {
       for (const HalfEdge& half : look_at(found[i])) {
         if (!has(half.to) || marked(half.to)) continue;
-        mark_[half.to] = stamp_;
+        at_[half.to].mark = stamp_;
         found.push_back(half.to);
       }
     }
@@ -100,34 +96,34 @@ class Rest {
   }
 
   /// Whether every component of the core without the cycle is alive. Goes through each only until
-  /// that is seen.
+  /// that is seen: a tree of t vertices has at least t + 2 edges to the cycle, which has at most
+  /// two at each of its vertices, so what is larger is no tree.
   bool leaves_all_alive(const std::vector<Vertex>& cycle) {
     ++stamp_;
     const std::uint64_t off = stamp_;
-    for (const Vertex v : cycle) mark_[v] = off;
+    for (const Vertex v : cycle) at_[v].mark = off;
     const std::uint64_t first_round = stamp_ + 1;
-    std::vector<Vertex> queue;
     for (const Vertex on : cycle) {
       for (const HalfEdge& half : look_at(on)) {
-        if (!has(half.to) || mark_[half.to] >= off) continue;
+        if (!has(half.to) || at_[half.to].mark >= off) continue;
         ++stamp_;
-        mark_[half.to] = stamp_;
-        parent_[half.to] = half.to;
-        queue = {half.to};
+        at_[half.to].mark = stamp_;
+        at_[half.to].parent = half.to;
+        queue_ = {half.to};
         bool is_alive = false;
-        for (std::size_t i = 0; i < queue.size() && !is_alive; ++i) {
-          const Vertex at = queue[i];
-          is_alive = graph_.degree(at) < 4;
+        for (std::size_t i = 0; i < queue_.size() && !is_alive; ++i) {
+          const Vertex at = queue_[i];
+          is_alive = graph_.degree(at) < 4 || queue_.size() + 2 > 2 * cycle.size();
           for (const HalfEdge& next : look_at(at)) {
-            if (!has(next.to) || mark_[next.to] == off || next.to == parent_[at]) continue;
+            if (!has(next.to) || at_[next.to].mark == off || next.to == at_[at].parent) continue;
             // A mark of this round closes a cycle; one of a round before leads to a living vertex.
-            if (mark_[next.to] >= first_round) {
+            if (at_[next.to].mark >= first_round) {
               is_alive = true;
               break;
             }
-            mark_[next.to] = stamp_;
-            parent_[next.to] = at;
-            queue.push_back(next.to);
+            at_[next.to].mark = stamp_;
+            at_[next.to].parent = at;
+            queue_.push_back(next.to);
           }
         }
         if (!is_alive) return false;
@@ -137,11 +133,11 @@ class Rest {
   }
   Pieces pieces(const std::vector<Vertex>& core, const std::vector<Vertex>& cycle) {
     ++stamp_;
-    for (const Vertex v : cycle) mark_[v] = stamp_;
+    for (const Vertex v : cycle) at_[v].mark = stamp_;
     Pieces pieces;
     for (const Vertex root : core) {
       if (marked(root)) continue;
-      mark_[root] = stamp_;
+      at_[root].mark = stamp_;
       std::vector<Vertex> piece = {root};
       std::size_t ends = 0;  // of the piece's edges
       bool is_full = true;
@@ -153,7 +149,7 @@ class Rest {
           }
           ++ends;
           if (marked(half.to)) continue;
-          mark_[half.to] = stamp_;
+          at_[half.to].mark = stamp_;
           piece.push_back(half.to);
         }
       }
@@ -167,7 +163,7 @@ class Rest {
   std::vector<Vertex> cycle_off(const std::vector<Vertex>& cycle, const std::vector<Vertex>& dead,
                                 const std::vector<Vertex>& alive) {
     ++stamp_;
-    for (const Vertex v : alive) mark_[v] = stamp_;
+    for (const Vertex v : alive) at_[v].mark = stamp_;
     const auto beside = std::find_if(cycle.begin(), cycle.end(), [&](Vertex v) {
       const auto incident = look_at(v);
       return std::any_of(incident.begin(), incident.end(),
@@ -204,23 +200,23 @@ class Rest {
     return graph_.incident(v);
   }
 
-  bool marked(Vertex v) const { return mark_[v] == stamp_; }
+  bool marked(Vertex v) const { return at_[v].mark == stamp_; }
   template <class Allowed>
   std::vector<Vertex> first_cycle_in(Vertex root, Allowed&& allowed) {
     // The cycle is induced: a chord would join two vertices of which one was gone through before,
     // and would have ended the search then.
     ++stamp_;
-    mark_[root] = stamp_;
-    parent_[root] = root;
-    std::vector<Vertex> queue = {root};
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const Vertex at = queue[i];
+    at_[root].mark = stamp_;
+    at_[root].parent = root;
+    queue_ = {root};
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      const Vertex at = queue_[i];
       for (const HalfEdge& half : look_at(at)) {
-        if (!allowed(half.to) || half.to == parent_[at]) continue;
+        if (!allowed(half.to) || half.to == at_[at].parent) continue;
         if (marked(half.to)) return joined(at, half.to);
-        mark_[half.to] = stamp_;
-        parent_[half.to] = at;
-        queue.push_back(half.to);
+        at_[half.to].mark = stamp_;
+        at_[half.to].parent = at;
+        queue_.push_back(half.to);
       }
     }
     return {};
@@ -229,12 +225,12 @@ class Rest {
   std::vector<Vertex> joined(Vertex x, Vertex y) const {
     // From x up to the common ancestor of both in the breadth-first tree and down to y.
     std::vector<Vertex> up = {x};
-    while (parent_[up.back()] != up.back()) up.push_back(parent_[up.back()]);
+    while (at_[up.back()].parent != up.back()) up.push_back(at_[up.back()].parent);
     std::vector<Vertex> down;
     auto meeting = std::find(up.begin(), up.end(), y);
     for (Vertex v = y; meeting == up.end(); meeting = std::find(up.begin(), up.end(), v)) {
       down.push_back(v);
-      v = parent_[v];
+      v = at_[v].parent;
     }
     up.erase(meeting + 1, up.end());
     up.insert(up.end(), down.rbegin(), down.rend());
@@ -264,11 +260,15 @@ class Rest {
   }
 
   const Graph& graph_;
-  std::vector<std::int8_t> degree_;  ///< -1: not there
+  struct VertexState {
+    std::uint64_t mark = 0;
+    Vertex parent = 0;        ///< in the breadth-first tree, of marked vertices
+    std::int8_t degree = -1;  ///< -1: not there
+  };
+  std::vector<VertexState> at_;
+  std::vector<Vertex> queue_;
   std::uint64_t looked_at_ = 0;
   std::uint64_t stamp_ = 0;
-  std::vector<std::uint64_t> mark_;
-  std::vector<Vertex> parent_;  ///< in the breadth-first tree, of marked vertices
 };
 
 class Partitioner {

@@ -5,6 +5,7 @@
 // drawing. Cost: O(n) and owners_that_meet(), once in most drawings.
 #include "ar3d/algorithms/two_bend_109/placement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 

@@ -5,6 +5,7 @@
 #include "ar3d/algorithms/two_bend_109/slots.h"
 
 #include <algorithm>
+#include <boost/container/static_vector.hpp>
 #include <tuple>
 
 #include "ar3d/base/error.h"
@@ -90,13 +91,17 @@ class Arranger {
  private:
   bool is_down(Vertex v, Vertex to) const { return made_.part[to] < made_.part[v]; }
 
+  using Downs = boost::container::static_vector<Vertex, 4>;
+
   /// Neighbours in earlier parts, upwards.
-  std::vector<Vertex> downs(Vertex v) const {
-    std::vector<Vertex> found;
+  Downs downs(Vertex v) const {
+    Downs found;
     for (const HalfEdge& half : graph_.incident(v)) {
-      if (is_down(v, half.to)) found.push_back(half.to);
+      if (!is_down(v, half.to)) continue;
+      found.insert(std::find_if(found.begin(), found.end(),
+                                [&](Vertex w) { return rank_[w] > rank_[half.to]; }),
+                   half.to);
     }
-    std::sort(found.begin(), found.end(), [&](Vertex a, Vertex b) { return rank_[a] < rank_[b]; });
     return found;
   }
 
@@ -108,14 +113,14 @@ class Arranger {
 
   void open_single(Vertex v) {
     made_.spot[v] = SlotSpot::middle;
-    const std::vector<Vertex> below = downs(v);
+    const Downs below = downs(v);
     if (below.size() == 3) return open_three_down(v, below);
     const std::uint32_t at = below.empty() ? list_.last() : made_.slot[below.back()];
     made_.slot[v] = new_slot_after(at, SlotKind::single);
   }
 
   /// Between two of the neighbours, beside the highest one.
-  void open_three_down(Vertex v, const std::vector<Vertex>& below) {
+  void open_three_down(Vertex v, const Downs& below) {
     std::array<std::uint32_t, 3> slots{};
     for (std::size_t i = 0; i < 3; ++i) slots[i] = made_.slot[below[i]];
     const std::uint32_t near = slots[2];
@@ -125,7 +130,7 @@ class Arranger {
     made_.slot[v] = new_slot_after(near == slots[2] ? list_.before(near) : near, SlotKind::single);
   }
 
-  void go_inside(Vertex v, std::uint32_t slot, const std::vector<Vertex>& below) {
+  void go_inside(Vertex v, std::uint32_t slot, const Downs& below) {
     expect(triangle_of_[slot] != SlotList::kNone, "three in one slot are in a triangle");
     auto& corners = triangles_[triangle_of_[slot]];
     made_.slot[v] = slot;
@@ -190,7 +195,7 @@ class Arranger {
   }
 
   void stand_single(Vertex v) {
-    const std::vector<Vertex> below = downs(v);
+    const Downs below = downs(v);
     std::uint8_t up = 0;
     for (const HalfEdge& half : graph_.incident(v)) {
       if (!is_down(v, half.to)) use(v, half.to, up++);
@@ -217,7 +222,7 @@ class Arranger {
     }
   }
 
-  void stand_inside(Vertex v, const std::vector<Vertex>& below) {
+  void stand_inside(Vertex v, const Downs& below) {
     const auto& corners = triangle_at(made_.slot[v]);
     use(v, corners[1], 2);
     use(v, corners[2], 3);
@@ -231,7 +236,7 @@ class Arranger {
   }
 
   void stand(Vertex v, Stance stance, bool in_x, bool in_y, Vertex first, Vertex second) {
-    const std::vector<Vertex> below = downs(v);
+    const Downs below = downs(v);
     made_.stubs[v] = mirrored(stubs_of(stance, static_cast<unsigned>(below.size())), in_x, in_y);
     // Of two edges down the steeper one leads to the lower vertex (Lemma E.5).
     std::uint8_t outer = 0;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "ar3d/algorithms/two_bend_109/layout.h"
 #include "ar3d/algorithms/two_bend_109/partition.h"
 #include "ar3d/algorithms/two_bend_109/placement.h"
@@ -29,6 +31,14 @@ struct Component {
 std::vector<Component> components_of(const Graph& graph) {
   const Components found = connected_components_of(graph);
   std::vector<Component> components(found.count);
+  if (found.count == 1) {
+    components[0].graph = graph;
+    components[0].vertices.resize(graph.num_vertices());
+    components[0].edges.resize(graph.num_edges());
+    std::iota(components[0].vertices.begin(), components[0].vertices.end(), Vertex{0});
+    std::iota(components[0].edges.begin(), components[0].edges.end(), EdgeId{0});
+    return components;
+  }
   std::vector<Vertex> name(graph.num_vertices());
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     auto& vertices = components[found.of[v]].vertices;
@@ -150,7 +160,12 @@ class SideBySide {
     Coordinates vertices(at_.size(), largest_);
     for (std::size_t v = 0; v < at_.size(); ++v) vertices.set(v, at_[v]);
     auto bends = std::make_shared<StoredBends>();
-    for (const auto& [at_u, at_v] : bends_) bends->add_edge({at_u, at_v});
+    std::vector<Point> two(2);
+    for (const auto& [at_u, at_v] : bends_) {
+      two[0] = at_u;
+      two[1] = at_v;
+      bends->add_edge(two);
+    }
     Drawing drawing{"two-bend-109", kAxisLattice, std::move(vertices), graph_.shared_edges(),
                     std::move(bends)};
     if (!at_.empty()) drawing.instance_bound = {bound_[0] - 1, bound_[1], bound_[2]};
