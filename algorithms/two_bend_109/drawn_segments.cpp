@@ -15,8 +15,8 @@ namespace ar3d::two_bend_109 {
 namespace {
 
 // Slabs, columns and rows per square root of the number of middles: measured to be fast for random
-// 4-regular graphs of 10^3 to 10^6 vertices.
-constexpr double kSlabs = 0.3, kColumns = 0.2, kRows = 0.8;
+// 4-regular graphs of 10^3 to 10^6 vertices and for tori.
+constexpr double kSlabs = 0.4, kColumns = 0.3, kRows = 0.5;
 
 __extension__ using Int128 = __int128;
 using Int256 = boost::multiprecision::int256_t;
@@ -172,8 +172,12 @@ class SlabSweep {
     }
     std::vector<std::uint32_t> slab_of(all);
     begin_.assign(bottom_.size() + 2, 0);
+    auto above = bottom_.begin() + 1;  // the slab's: often the same as before
     for (std::uint32_t i = 0; i < all; ++i) {
-      const auto above = std::upper_bound(bottom_.begin(), bottom_.end(), segment(i).at.from.z);
+      const std::int64_t z = segment(i).at.from.z;
+      if (z < *(above - 1) || (above != bottom_.end() && z >= *above)) {
+        above = std::upper_bound(bottom_.begin(), bottom_.end(), z);
+      }
       slab_of[i] = static_cast<std::uint32_t>(above - bottom_.begin()) - 1;
       ++begin_[slab_of[i] + 2];
     }
@@ -261,11 +265,12 @@ class SlabSweep {
         const std::array<const std::uint16_t*, 6> lines = {&lines_[0][begin], &lines_[1][begin],
                                                            &lines_[2][begin], &lines_[3][begin],
                                                            &lines_[4][begin], &lines_[5][begin]};
-        if (find_coplanar(cell[i].line, lines, padded, is_coplanar_.data()) == padded - count) {
-          continue;  // those behind the cell's
-        }
-        for (std::size_t j = 0; j < count; ++j) {
-          if (is_coplanar_[j] != 0) compare(cell[i].index, cell[begin + j].index);
+        std::size_t left = find_coplanar(cell[i].line, lines, padded, is_coplanar_.data());
+        left -= padded - count;  // those behind the cell's
+        for (std::size_t j = 0; left > 0; ++j) {
+          if (is_coplanar_[j] == 0) continue;
+          compare(cell[i].index, cell[begin + j].index);
+          --left;
         }
       }
     }
