@@ -21,9 +21,9 @@ enum class FindingKind {
   nothing_measured,  ///< no row was drawn at all
   missing            ///< rows that the study is not complete without are not in the file
 };
-/// "certificate", "theorem bound", …
+/// Returns "certificate", "theorem bound", …
 const char* to_string(FindingKind kind);
-/// True for what is proved wrong (exit code 4), false for what is missing (exit code 5).
+/// Returns true for what is proved wrong (exit code 4), false for what is missing (exit code 5).
 bool is_violation(FindingKind kind);
 
 struct Finding {
@@ -34,10 +34,10 @@ struct Finding {
   std::string command = {};        ///< the line that draws the row again; empty without a row
 };
 
-/// The verdict on the rows of a study: `study status`, `study resume`, `check` and `report` all say
-/// this and exit with its code. Refused rows (a graph outside the theorem's promise) are counted
-/// and do no harm, but a file in which nothing was drawn never passes. Of measured rows nothing was
-/// asked but to be drawn.
+/// Describes the verdict on the rows of a study: `study status`, `study resume`, `check` and
+/// `report` all say this and exit with its code. Refused rows (a graph outside the theorem's
+/// promise) are counted and do no harm, but a file in which nothing was drawn never passes. Of
+/// measured rows nothing was asked but to be drawn.
 struct CheckVerdict {
   std::size_t rows = 0;
   std::size_t proved = 0;    ///< ok rows whose certificate and bounds hold
@@ -51,14 +51,14 @@ struct CheckVerdict {
   std::size_t all_findings = 0;   ///< the others, too
   std::vector<Finding> findings;  ///< violations first, then in file order; at most 1000 of both
 
-  /// 0 pass; 4 a bound or certificate is violated; 5 incomplete, nothing measured, or rows that
-  /// nothing proves.
+  /// Returns the exit code: 0 pass; 4 a bound or certificate is violated; 5 incomplete, nothing
+  /// measured, or rows that nothing proves.
   int exit_code() const;
   /// "PASS", "VIOLATED", "INCOMPLETE"; or "MEASURED": nothing was asked of any row but to be drawn.
   const char* word() const;
 };
 
-/// A verdict, and what the check has found out about the order of the rows.
+/// Describes a verdict, and what the check has found out about the order of the rows.
 struct CheckedRows {
   CheckVerdict verdict;
   /// Says whether a row is the last one of its graph, algorithm and options.
@@ -76,18 +76,18 @@ CheckVerdict check(const Results& results);
 /// @throws InputError naming `path` and the rows. Memory: 24 bytes per graph and per row.
 void require_one_study(const RowView& rows, const std::string& path);
 
-/// True if the row alone shows a broken bound or certificate.
+/// Returns true if the row alone shows a broken bound or certificate.
 bool breaks_promise(const RunRecord& run);
 
-/// "PASS: 60 rows, 60 proved, 0 violated, 0 incomplete, 0 refused".
+/// Returns "PASS: 60 rows, 60 proved, 0 violated, 0 incomplete, 0 refused".
 std::string verdict_line(const CheckVerdict& verdict);
 
-/// A short text for a terminal: the verdict's line and the first `max_findings` findings, each with
-/// the command that shows it again.
+/// Returns a short text for a terminal: the verdict's line and the first `max_findings` findings,
+/// each with the command that shows it again.
 std::string summary(const CheckVerdict& verdict, std::size_t max_findings = 20);
 
-/// True if the row's drawing was judged by another certificate than exact and is not violated:
-/// nothing proves it.
+/// Returns true if the row's drawing was judged by another certificate than exact and is not
+/// violated: nothing proves it.
 bool is_unproved(const RunRecord& run);
 
 /// Returns what the row alone tells: certificate, numbers that every ok row has, extents against

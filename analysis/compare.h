@@ -22,14 +22,14 @@ struct CompareOptions {
   bool drawings_only = false;           ///< judge what has no noise, and no times
 };
 
-/// Sorted by what outweighs what. unjudged: nothing got worse among what has no noise, and the
+/// Sorts by what outweighs what. unjudged: nothing got worse among what has no noise, and the
 /// times were not judged; inconclusive: they were, and their noise, or too few pairs, leaves it
 /// open.
 enum class Verdict { pass, improved, unjudged, inconclusive, regressed, violated };
-/// "PASS", "IMPROVED", "UNJUDGED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"
+/// Returns "PASS", "IMPROVED", "UNJUDGED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"
 const char* to_string(Verdict verdict);
 
-/// The verdict on one cell: an algorithm with its options on a family at one size.
+/// Describes the verdict on one cell: an algorithm with its options on a family at one size.
 struct CellComparison {
   CurveKey key;
   std::int64_t n = -1;
@@ -39,7 +39,7 @@ struct CellComparison {
   CountChange counts;              ///< known: they decide, and times are no verdict
   TimeVerdict time;                ///< of log(new / base)
   std::vector<double> log_ratios;  ///< of builds in turns: one per round
-  /// log2(new / base) of the volume, of the pair of drawings in which it changed most.
+  /// Holds log2(new / base) of the volume, of the pair of drawings in which it changed most.
   double log2_volume_change = 0;
 };
 
@@ -56,12 +56,12 @@ struct Comparison {
   std::vector<std::string> remarks;     ///< one line each
 
   std::size_t count(Verdict verdict) const;
-  /// The heaviest verdict of all cells, between which stands INCOMPLETE (below REGRESSED). PASS and
-  /// IMPROVED say that everything was judged; "DRAWINGS PASS" and "DRAWINGS IMPROVED" that times
-  /// were not to be.
+  /// Returns the heaviest verdict of all cells, between which stands INCOMPLETE (below REGRESSED).
+  /// PASS and IMPROVED say that everything was judged; "DRAWINGS PASS" and "DRAWINGS IMPROVED" that
+  /// times were not to be.
   std::string word() const;
-  /// 0 pass or improved, 3 regression, 4 violated, 5 incomplete or nothing compared, 6
-  /// inconclusive, 7 times not judged.
+  /// Returns the exit code: 0 pass or improved, 3 regression, 4 violated, 5 incomplete or nothing
+  /// compared, 6 inconclusive, 7 times not judged.
   int exit_code() const;
   /// Returns what the verdict is about, in a sentence or a few: what was judged by counts and what
   /// by times, how fast the machine was on either side, what moved against all others, what cannot
@@ -82,16 +82,16 @@ Comparison compare(const Results& base, const Results& now, const CompareOptions
 Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Results>& now,
                           const CompareOptions& options = {});
 
-/// For a terminal: the environment where it differs, the cells that did not pass, `most_cells` of
-/// each kind, the largest changes of time and volume whatever the verdict, and the verdict with
-/// what it judged. No times where drawings only were to be judged.
+/// Returns a text for a terminal: the environment where it differs, the cells that did not pass,
+/// `most_cells` of each kind, the largest changes of time and volume whatever the verdict, and the
+/// verdict with what it judged. No times where drawings only were to be judged.
 std::string summary(const Comparison& comparison, const CompareOptions& options,
                     std::size_t most_cells = 20);
 std::string summary(const Calibration& calibration, const TimeRule& rule);
 
-/// The same as Markdown, for a comment on a change: the verdict as a heading, what was judged, a
-/// table of the cells that did not pass and of the largest changes. Every foreign text stands in a
-/// code span, out of which no text leads.
+/// Returns the same as Markdown, for a comment on a change: the verdict as a heading, what was
+/// judged, a table of the cells that did not pass and of the largest changes. Every foreign text
+/// stands in a code span, out of which no text leads.
 std::string comparison_markdown(const Comparison& comparison, const CompareOptions& options,
                                 std::size_t most_cells = 20);
 

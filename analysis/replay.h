@@ -9,8 +9,8 @@
 
 namespace ar3d {
 
-/// The shell line that generates the row's graph again and draws it with the same algorithm and
-/// options. Words that a shell would read in another way are quoted, whatever the results file
+/// Returns the shell line that generates the row's graph again and draws it with the same algorithm
+/// and options. Words that a shell would read in another way are quoted, whatever the results file
 /// holds.
 std::string draw_command(const RunRecord& run);
 std::string draw_command(const CurveKey& key, const DrawnGraph& graph);
@@ -18,9 +18,9 @@ std::string draw_command(const CurveKey& key, const DrawnGraph& graph);
 /// The same line is the first part, n, " --seed ", the seed, the second part.
 std::pair<std::string, std::string> draw_command_parts(const CurveKey& key);
 
-/// The line that shows a row of this study again: draw_command, or replay_command where that needs
-/// the results: the graph is one of a file (/graph_files), which no family makes, or a program of
-/// the study's own ("program_NAME" in /environments) draws it.
+/// Represents the line that shows a row of this study again: draw_command, or replay_command where
+/// that needs the results: the graph is one of a file (/graph_files), which no family makes, or a
+/// program of the study's own ("program_NAME" in /environments) draws it.
 class ShowCommand {
  public:
   explicit ShowCommand(const RowView& rows);

@@ -22,7 +22,7 @@ struct SinceReference {
   std::string why_none = "No reference was given.";  ///< plain text; shown without a comparison
 };
 
-/// Drawings of the study's graphs that the page opens in its viewer.
+/// Describes drawings of the study's graphs that the page opens in its viewer.
 struct ShownDrawings {
   std::map<std::size_t, std::size_t> page_of_row;  ///< which drawing of the viewer's page
   std::string packed_page;         ///< a page of `ar3d view`, in base64 of zlib's deflate format
@@ -56,19 +56,19 @@ std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t
 /// Takes a text piece by piece, so that what has a line per row need not fit into memory.
 using TextSink = std::function<void(std::string_view)>;
 
-/// The bounds table, one line per curve (algorithm, options, family, parameters), RFC 4180 with a
-/// header line. Missing numbers are empty fields; slack is 1 - extent / bound.
+/// Returns the bounds table, one line per curve (algorithm, options, family, parameters), RFC 4180
+/// with a header line. Missing numbers are empty fields; slack is 1 - extent / bound.
 std::string bounds_csv(const StudyAnalysis& analysis);
 
 /// Every row: all metrics of verify/metrics/metrics.h, its own bound, the theorem's, the published
 /// one, and the slack against the theorem's.
 void rows_csv(const RowView& rows, const TextSink& write);
 
-/// The growth of every quantity of every curve, one line each: exponent with 95 % interval, log
-/// exponent with its own, label, reason and the sizes that were fitted.
+/// Returns the growth of every quantity of every curve, one line each: exponent with 95 % interval,
+/// log exponent with its own, label, reason and the sizes that were fitted.
 std::string scaling_csv(const StudyAnalysis& analysis);
 
-/// All tables of the study (docs/analysis.md, Report), as page and figures read them.
+/// Returns all tables of the study (docs/analysis.md, Report), as page and figures read them.
 std::string analysis_json(const StudyAnalysis& analysis, const SinceReference& since = {});
 
 }  // namespace ar3d

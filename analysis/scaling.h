@@ -18,7 +18,7 @@ enum class Growth {
   apparent,       ///< an exponent over the fitted sizes, which says nothing about larger ones
   undecided,      ///< too few sizes, or no times that can be compared
 };
-/// "power law", "power law with logarithm", "apparent exponent", "undecided"
+/// Returns "power law", "power law with logarithm", "apparent exponent", "undecided"
 const char* to_string(Growth growth);
 
 /// Holds how one quantity of one curve grows with n.
@@ -47,20 +47,20 @@ struct ScalingEntry {
 /// ScalingEntry::reason of a drawing time that no row of the timing phase tells.
 inline constexpr const char* kUntimed = "no rows of the timing phase";
 
-/// "power law", "apparent exponent on [64, 8192]": the label for people.
+/// Returns "power law", "apparent exponent on [64, 8192]": the label for people.
 std::string growth_label(const ScalingEntry& entry);
 
 /// Fits one sample. Cost: O(s^2) for s sizes.
 ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options = {});
 
-/// Every quantity that was measured in every curve, in the order of the file. Drawing times are
-/// fitted where the curve has rows of the timing phase, and from these alone. Same numbers on any
-/// thread count.
+/// Returns every quantity that was measured in every curve, in the order of the file. Drawing times
+/// are fitted where the curve has rows of the timing phase, and from these alone. Same numbers on
+/// any thread count.
 std::vector<ScalingEntry> scaling(const StudyTally& tally, const FitOptions& options = {});
 std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& options = {});
 
-/// The power of n in a theorem's bound on a quantity of the box; nothing for a drawing time, and
-/// for one that promises no box.
+/// Returns the power of n in a theorem's bound on a quantity of the box; nothing for a drawing
+/// time, and for one that promises no box.
 std::optional<double> theorem_order(const SizeBound& theorem, Quantity quantity);
 
 /// A quantity that a theorem bounds by c n^order grows no faster for ever: a power law whose whole

@@ -12,7 +12,7 @@
 
 namespace ar3d {
 
-/// The bounds table of one curve: what the theorem promises beside what was measured.
+/// Describes the bounds table of one curve: what the theorem promises beside what was measured.
 struct BoundsEntry : CurveCounts {
   std::int64_t volume_n = -1;     ///< the largest n that was drawn: volumes are of its graphs
   double log2_volume = kMissing;  ///< lattice points of the box, median
@@ -30,10 +30,10 @@ struct BoundsEntry : CurveCounts {
 std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdentity& study);
 std::vector<BoundsEntry> bounds_table(const Results& results);
 
-/// The entry's axis of smallest slack, or nullopt if nothing was measured.
+/// Returns the entry's axis of smallest slack, or nullopt if nothing was measured.
 std::optional<std::size_t> worst_axis(const BoundsEntry& entry);
 
-/// Everything that report and exports show of a study, computed once. `rows` outlives it.
+/// Describes everything that report and exports show of a study, computed once. `rows` outlives it.
 struct StudyAnalysis {
   RowView rows;
   CheckVerdict verdict;

@@ -15,7 +15,7 @@
 
 namespace ar3d {
 
-/// One value of a table; missing if nothing is given, or a number is not finite.
+/// Represents one value of a table; missing if nothing is given, or a number is not finite.
 class TableCell {
  public:
   TableCell() = default;
@@ -30,14 +30,14 @@ class TableCell {
   /// As JSON, numbers with so many significant digits; 0: the shortest that reads back as the same.
   /// Nothing in it ends a script element.
   void append_json(int digits, std::string& text) const;
-  /// As a field of RFC 4180; empty if missing.
+  /// Returns it as a field of RFC 4180; empty if missing.
   std::string csv() const;
 
  private:
   std::variant<std::monostate, std::int64_t, double, bool, std::string> value_;
 };
 
-/// The number, or a missing cell if it is negative.
+/// Returns the number, or a missing cell if it is negative.
 TableCell count_or_none(std::int64_t value);
 
 enum class CellType { integer, number, text, flag };
@@ -66,19 +66,19 @@ struct Table {
   bool empty() const { return cells.empty(); }
 };
 
-/// Names of the columns, then a line a row (RFC 4180).
+/// Returns the names of the columns, then a line a row (RFC 4180).
 std::string table_csv(const Table& table);
 
 /// {"format": …, "tables": {NAME: {"row_is": …, "columns": [{"name", "unit", "meaning", "type"}, …],
 /// "rows": [[…], …]}, …}} in ASCII. Nothing in it ends a script element.
 std::string tables_json(const std::vector<Table>& tables);
 
-/// A field of a line of CSV, quoted where RFC 4180 asks for it.
+/// Returns a field of a line of CSV, quoted where RFC 4180 asks for it.
 std::string csv_field(std::string_view raw);
-/// A JSON string that may stand in a script element. ASCII.
+/// Returns a JSON string that may stand in a script element. ASCII.
 std::string json_string(std::string_view text);
 
-/// The number, or null if it is not finite.
+/// Returns the number, or null if it is not finite.
 nlohmann::ordered_json json_number(double value);
 
 /// algorithm, options (with the level), family, parameters: the first columns of every table.

@@ -12,7 +12,7 @@
 
 namespace ar3d {
 
-/// One graph drawn by one curve: its first ok row, and the medians of its drawing times.
+/// Describes one graph drawn by one curve: its first ok row, and the medians of its drawing times.
 struct DrawnGraph {
   std::size_t row = 0;
   std::int64_t n = -1;
@@ -31,7 +31,7 @@ struct DrawnGraph {
   double log_timed_s = kMissing;  ///< the same of the timing phase
   std::vector<double> metrics;    ///< values of verify/metrics/metrics.h in its order; NaN: missing
 
-  /// Largest extent / theorem's bound over the axes; missing if no axis has both.
+  /// Returns the largest extent / theorem's bound over the axes; missing if no axis has both.
   double share() const;
 };
 
@@ -48,9 +48,9 @@ enum class Quantity {
   wall_s
 };
 const std::vector<Quantity>& quantities();
-/// Natural logarithm of the graph's quantity; missing if there is none or it is not positive.
-/// Volume is log2_volume. @param timed  whether drawing times are
-/// those of the timing phase.
+/// Returns the natural logarithm of the graph's quantity; missing if there is none or it is not
+/// positive. Volume is log2_volume. @param timed  whether drawing times are those of the timing
+/// phase.
 double log_value(const DrawnGraph& graph, Quantity quantity, bool timed);
 
 /// Natural logarithm of volume_at_least; missing in rows of programs that did not have it.
@@ -68,12 +68,12 @@ struct SizeTally {
   std::array<double, 10> log_sum{};
   std::array<std::size_t, 10> log_count{};
 
-  /// The mean of log_value over all drawn graphs; missing without any.
+  /// Returns the mean of log_value over all drawn graphs; missing without any.
   double mean_log(Quantity quantity, bool timed) const;
 };
 
-/// A row that ended in timeout, out of memory or a crash: its value is not known, for times only
-/// that it is larger than what the others needed.
+/// Describes a row that ended in timeout, out of memory or a crash: its value is not known, for
+/// times only that it is larger than what the others needed.
 struct CensoredRow {
   std::int64_t n = 0;
   std::size_t row = 0;
@@ -82,7 +82,7 @@ struct CensoredRow {
   RunStatus status = RunStatus::crashed;
 };
 
-/// One axis of one curve. Slack is 1 - extent / bound, computed from the extents: 0 touches the
+/// Is one axis of one curve. Slack is 1 - extent / bound, computed from the extents: 0 touches the
 /// bound, a negative one breaks it; missing without a bound. Statistics are over graphs (the first
 /// ok repetition of each); medians, which bounds_table fills in, over those that the tally keeps.
 struct AxisBounds {
@@ -96,9 +96,9 @@ struct AxisBounds {
   DrawnGraph worst;  ///< the graph of worst_slack
 };
 
-/// 1 - extent / bound; missing if one of the two is, or the bound is 0.
+/// Returns 1 - extent / bound; missing if one of the two is, or the bound is 0.
 double slack_of(std::int64_t extent, double bound);
-/// Natural logarithm of a positive finite value; missing for others.
+/// Returns the natural logarithm of a positive finite value; missing for others.
 double log_positive(double value);
 
 /// Counts the values of RunStatus.
@@ -125,8 +125,8 @@ struct CurveCounts {
 /// Holds what all rows of one curve gave.
 struct CurveTally : CurveCounts {
   bool has_timing_rows = false;  ///< some ok row is of the timing phase
-  /// No theorem promises a box, so that the unit of coordinates is the drawings' own: extents and
-  /// bounds are missing, and volumes are over the smallest distance of vertices.
+  /// Is true if no theorem promises a box, so that the unit of coordinates is the drawings' own:
+  /// extents and bounds are missing, and volumes are over the smallest distance of vertices.
   bool has_own_unit = false;
   std::map<std::int64_t, SizeTally> sizes;
   std::vector<CensoredRow> censored;  ///< the first 1000 with n >= 1, by n

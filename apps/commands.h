@@ -4,7 +4,7 @@
 
 namespace ar3d {
 
-/// Exit codes of docs/contracts.md.
+/// Describes exit codes of docs/contracts.md.
 enum ExitCode : int {
   kPass = 0,
   kInternalError = 1,

@@ -8,7 +8,7 @@
 
 namespace ar3d {
 
-/// Certificate, metrics and hash of a drawing, all metrics filled in.
+/// Returns the certificate, metrics and hash of a drawing, all metrics filled in.
 Examination examine_all(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                         CertificateMode mode);
 

@@ -6,8 +6,8 @@
 
 namespace ar3d {
 
-/// The processes that mpirun has started; in the program that is not made for it, this process
-/// alone.
+/// Returns the processes that mpirun has started; in the program that is not made for it, this
+/// process alone.
 std::unique_ptr<Ranks> join_ranks();
 
 }  // namespace ar3d

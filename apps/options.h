@@ -13,30 +13,30 @@
 // Options that several verbs have, and what their values may be.
 namespace ar3d {
 
-/// Whole numbers from low to high, written with digits alone: CLI11 reads "-5" as 2^64 - 5, and
-/// "1e9" or "0x10" in ways of its own.
+/// Returns whole numbers from low to high, written with digits alone: CLI11 reads "-5" as 2^64 - 5,
+/// and "1e9" or "0x10" in ways of its own.
 CLI::Validator whole_number(std::uint64_t low,
                             std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
-/// Decimal numbers that are finite, and above 0 if `positive`.
+/// Returns decimal numbers that are finite, and above 0 if `positive`.
 CLI::Validator finite_number(bool positive);
-/// Decimal numbers from low to high.
+/// Returns decimal numbers from low to high.
 CLI::Validator number_between(double low, double high);
-/// One of the known words; any other is answered with all of them and the nearest one.
+/// Returns one of the known words; any other is answered with all of them and the nearest one.
 CLI::Validator one_of(std::vector<std::string> known);
 
-/// An option that may be repeated, each time with one value.
+/// Returns an option that may be repeated, each time with one value.
 CLI::Option* add_repeated(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
                           const std::string& what);
 
-/// --threads of verbs that work on many drawings at the same time, or on a large one with several
-/// threads.
+/// Adds --threads of verbs that work on many drawings at the same time, or on a large one with
+/// several threads.
 void add_threads_option(CLI::App& verb);
-/// The flag --json of verbs that print: one JSON object instead of text.
+/// Returns the flag --json of verbs that print: one JSON object instead of text.
 CLI::Option* add_json(CLI::App& verb, bool& json);
 /// Prints it on one line, in ASCII: other characters are escaped, bytes that are no UTF-8 replaced.
 void print_json(const nlohmann::ordered_json& json);
 
-/// Options of every verb that makes rows of a study.
+/// Adds the options of every verb that makes rows of a study.
 void add_making_options(CLI::App& verb, SessionPolicy& policy);
 
 /// Holds how a graph file is to be read, as every verb that reads one is told.
@@ -48,10 +48,10 @@ struct GraphInput {
   ReadOptions read_options() const;
 };
 
-/// The options --base, --first-line and --undirected.
+/// Adds the options --base, --first-line and --undirected.
 void add_edge_list_options(CLI::App& verb, GraphInput& input);
 
-/// These and --from and --trust-sizes.
+/// Adds these and --from and --trust-sizes.
 void add_graph_input_options(CLI::App& verb, GraphInput& input);
 
 }  // namespace ar3d

@@ -8,12 +8,12 @@
 
 namespace ar3d {
 
-/// The option --force of every verb that writes files.
+/// Adds the option --force of every verb that writes files.
 void add_force(CLI::App& verb, bool& force);
 
-/// The files of a verb, looked at before it does any work. An empty path stands for an option that
-/// was left out, "-" for a standard stream: both are no file. Where no output may be one, "-" is
-/// refused.
+/// Describes the files of a verb, looked at before it does any work. An empty path stands for an
+/// option that was left out, "-" for a standard stream: both are no file. Where no output may be
+/// one, "-" is refused.
 struct VerbFiles {
   std::vector<std::string> inputs;
   std::vector<std::string> outputs;              ///< every one that will be written, but a page

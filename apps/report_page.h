@@ -12,14 +12,14 @@ namespace ar3d {
 /// @throws InputError if the given reference cannot be read or is of another study.
 SinceReference since_reference(const RowView& rows, const std::string& reference);
 
-/// Drawings of the graphs that come closest to their bounds, made again from their rows: at most
-/// 200 of at most 1,000 edges each, as long as they take fewer than 300,000 bytes. A graph of
+/// Returns drawings of the graphs that come closest to their bounds, made again from their rows: at
+/// most 200 of at most 1,000 edges each, as long as they take fewer than 300,000 bytes. A graph of
 /// a file, a drawing of somebody else's program, and one that does not come out as it was recorded
 /// are left out.
 ShownDrawings shown_drawings(const StudyAnalysis& analysis);
 
-/// The youngest committed reference results of the study, results/reference/VERSION-STUDY.h5, by
-/// name; empty if there are none.
+/// Returns the youngest committed reference results of the study,
+/// results/reference/VERSION-STUDY.h5, by name; empty if there are none.
 /// @throws InputError if the working directory is in no checkout.
 std::string committed_reference(const std::string& study_id);
 

@@ -8,7 +8,7 @@
 
 namespace ar3d {
 
-/// The files of a verb, read one after the other as if they were one.
+/// Represents the files of a verb, read one after the other as if they were one.
 template <class Reader>
 class SeveralInputs {
  public:
@@ -17,7 +17,7 @@ class SeveralInputs {
                 std::function<std::unique_ptr<Reader>(const std::string&)> open)
       : paths_(std::move(paths)), open_(std::move(open)), reader_(open_(paths_.front())) {}
 
-  /// The next item of the file, or of the next one; nothing at the end of the last.
+  /// Returns the next item of the file, or of the next one; nothing at the end of the last.
   auto next() {
     for (;;) {
       auto item = reader_->next();
@@ -25,7 +25,7 @@ class SeveralInputs {
       reader_ = open_(paths_[++at_]);
     }
   }
-  /// The reader of the item just given.
+  /// Returns the reader of the item just given.
   const Reader& reader() const { return *reader_; }
 
  private:

@@ -8,9 +8,9 @@
 
 namespace ar3d {
 
-/// The rows of a study, wherever they are: in its results file or, while it is not finished, in its
-/// journals. `study run`, `resume` and `status`, `check` and `report` judge these rows and no
-/// others, with judge(), so that they agree.
+/// Represents the rows of a study, wherever they are: in its results file or, while it is not
+/// finished, in its journals. `study run`, `resume` and `status`, `check` and `report` judge these
+/// rows and no others, with judge(), so that they agree.
 class StudyRows {
  public:
   /// @param file  the study's results file or a journal of it.
@@ -19,7 +19,7 @@ class StudyRows {
   explicit StudyRows(const std::string& file);
   ~StudyRows();
 
-  /// Valid while this lives. Memory: a few hundred rows; of journals about 60 bytes per row.
+  /// Stays valid while this lives. Memory: a few hundred rows; of journals about 60 bytes per row.
   const RowView& view() const { return view_; }
 
  private:
@@ -32,10 +32,10 @@ class StudyRows {
   RowView view_;
 };
 
-/// A line that says how many files of collections were left out; empty if none was.
+/// Returns a line that says how many files of collections were left out; empty if none was.
 std::string left_out_text(const StudyIdentity& identity);
 
-/// The one verdict on a study. @param file  for messages.
+/// Returns the one verdict on a study. @param file  for messages.
 /// @throws InputError if the rows cannot be of one study.
 CheckedRows judge(const RowView& rows, const std::string& file);
 

@@ -16,14 +16,14 @@ struct Algorithm;
 void write_viewer_page(const NextDrawing& next, const std::string& path,
                        const std::string& algorithm = {});
 
-/// The graph that a drawing itself claims to show. @throws InputError if its edges are no simple
-/// graph's.
+/// Returns the graph that a drawing itself claims to show. @throws InputError if its edges are no
+/// simple graph's.
 Graph claimed_graph(const Drawing& drawing);
 
-/// Vertices and edges of a drawing; 0 if there is none (batches.h).
+/// Returns the vertices and edges of a drawing; 0 if there is none (batches.h).
 std::uint64_t weight_of(const DrawingJsonlReader::Line& line);
 
-/// The algorithm of that name, or null: drawings may be of others, too.
+/// Returns the algorithm of that name, or null: drawings may be of others, too.
 const Algorithm* known_algorithm(const std::string& name);
 
 /// Returns what a page says of a drawing, judged on the graph `given` (null: the one that it

@@ -13,8 +13,8 @@ class InputError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// An edge that no simple graph on the given vertices has. Readers of files turn its number into a
-/// line.
+/// Represents an edge that no simple graph on the given vertices has. Readers of files turn its
+/// number into a line.
 class EdgeError : public InputError {
  public:
   EdgeError(std::uint64_t edge, std::uint64_t u, std::uint64_t v, const std::string& message)
@@ -29,14 +29,14 @@ class EdgeError : public InputError {
   std::uint64_t v_;
 };
 
-/// A broken internal invariant: a bug in ar3d. Programs exit with code 1.
+/// Represents a broken internal invariant: a bug in ar3d. Programs exit with code 1.
 class InternalError : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 
-/// True in builds with AR3D_CHECKS (the `check` preset): invariants that cost more than their stage
-/// are tested.
+/// Is true in builds with AR3D_CHECKS (the `check` preset): invariants that cost more than their
+/// stage are tested.
 #ifdef AR3D_CHECKS
 inline constexpr bool kHeavyChecks = true;
 #else
@@ -53,8 +53,8 @@ inline void expect(bool holds, const char* invariant, const char* file = __built
   }
 }
 
-/// As expect, for conditions whose evaluation is expensive: `check` is a callable that is called
-/// only in builds with AR3D_CHECKS.
+/// Works as expect, for conditions whose evaluation is expensive: `check` is a callable that is
+/// called only in builds with AR3D_CHECKS.
 template <class Check>
 void expect_heavy([[maybe_unused]] Check&& check, [[maybe_unused]] const char* invariant,
                   [[maybe_unused]] const char* file = __builtin_FILE(),

@@ -11,7 +11,7 @@ struct XXH3_state_s;  // of xxhash.h, which a user of the installed package need
 
 namespace ar3d {
 
-/// 128-bit XXH3 hash of a sequence of integers, fed little endian: equal on all platforms.
+/// Is 128-bit XXH3 hash of a sequence of integers, fed little endian: equal on all platforms.
 class HashStream {
  public:
   HashStream();
@@ -23,7 +23,7 @@ class HashStream {
   void put(std::uint64_t value) { append(value); }
   void put(std::int64_t value) { append(static_cast<std::uint64_t>(value)); }
 
-  /// 32 hexadecimal digits.
+  /// Returns 32 hexadecimal digits.
   std::string digest();
 
  private:

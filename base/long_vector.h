@@ -11,7 +11,7 @@ namespace ar3d {
 /// Arrays from this size on get pages of 2 MiB where the system has them for the asking: far fewer
 /// page faults, and random access misses the address cache less often.
 inline constexpr std::size_t kLongArrayBytes = std::size_t{1} << 22;
-/// Memory for `bytes` bytes, at least kReusableBytes. @throws std::bad_alloc.
+/// Returns memory for `bytes` bytes, at least kReusableBytes. @throws std::bad_alloc.
 void* allocate_long_array(std::size_t bytes);
 void free_long_array(void* array) noexcept;
 

@@ -24,21 +24,21 @@ class Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
 
   int get() const { return number_; }
-  /// The descriptor, which is the caller's from now on.
+  /// Returns the descriptor, which is the caller's from now on.
   int release() { return std::exchange(number_, -1); }
 
  private:
   int number_;
 };
 
-/// A file that appears under its name whole, or not at all. Until then its bytes are in a file
-/// without a name (O_TMPFILE), of which an interrupted or killed program leaves nothing; where a
-/// file system has none, in one beside the target, which the destructor removes.
+/// Represents a file that appears under its name whole, or not at all. Until then its bytes are in
+/// a file without a name (O_TMPFILE), of which an interrupted or killed program leaves nothing;
+/// where a file system has none, in one beside the target, which the destructor removes.
 class NewFile {
  public:
-  /// To stand at `path`; a symbolic link is followed. What exists keeps its mode. @throws
-  /// InputError naming the path and the system's reason: no such directory, no permission, a
-  /// directory, no regular file.
+  /// Stands at `path`; a symbolic link is followed. What exists keeps its mode. @throws InputError
+  /// naming the path and the system's reason: no such directory, no permission, a directory, no
+  /// regular file.
   explicit NewFile(const std::string& path);
   ~NewFile();
   NewFile(const NewFile&) = delete;
@@ -75,12 +75,12 @@ bool create_file_atomically(const std::string& path, std::span<const char> bytes
 /// @throws InputError as NewFile.
 void require_writable(const std::string& path);
 
-/// A new file in the folder for temporary files ($TMPDIR, else /tmp), open to read and write, whose
-/// name nobody can know before. @param path  becomes its name, which begins with `beginning`.
+/// Gives a new file in the folder for temporary files ($TMPDIR, else /tmp), open to read and write,
+/// whose name nobody can know before. @param path  becomes its name, which begins with `beginning`.
 /// @throws InputError naming it if there can be no such file.
 Descriptor new_temporary_file(const std::string& beginning, std::string& path);
 
-/// A new folder there. @return its path. @throws InputError as new_temporary_file.
+/// Returns a new folder there. @return its path. @throws InputError as new_temporary_file.
 std::string new_temporary_folder(const std::string& beginning);
 
 /// Opens a file to read it: -1 and errno where that cannot be. A FIFO has no end yet, and who opens
@@ -94,8 +94,8 @@ void write_all(int descriptor, std::span<const char> bytes, const std::string& p
 /// @throws InputError that the path cannot be written, for the reason errno.
 [[noreturn]] void refuse_writing(const std::string& path, int reason);
 
-/// A name beside `target` that no other process uses, be it in another container or on another
-/// machine. @throws InputError if the system has no random number.
+/// Returns a name beside `target` that no other process uses, be it in another container or on
+/// another machine. @throws InputError if the system has no random number.
 std::string name_of_new_file(const std::string& target);
 
 /// Removes what killed processes left of new files that were to stand at `path`: files beside it

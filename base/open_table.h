@@ -25,7 +25,7 @@ class OpenTable {
 
   const std::vector<Row>& rows() const { return rows_; }
 
-  /// The row of that name; null if there is none.
+  /// Returns the row of that name; null if there is none.
   const Row* find(std::string_view name) const {
     const auto at =
         std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return row.name == name; });

@@ -9,12 +9,12 @@
 // The one place where work is shared among threads, which are OpenMP's (base/README.md).
 namespace ar3d {
 
-/// Threads that work may be shared among: OpenMP's (OMP_NUM_THREADS, OMP_THREAD_LIMIT); 1 inside a
-/// parallel region, where the others have other work, unless OMP_MAX_ACTIVE_LEVELS allows more.
-/// What is computed never depends on the number.
+/// Returns threads that work may be shared among: OpenMP's (OMP_NUM_THREADS, OMP_THREAD_LIMIT); 1
+/// inside a parallel region, where the others have other work, unless OMP_MAX_ACTIVE_LEVELS allows
+/// more. What is computed never depends on the number.
 std::uint32_t available_threads();
 
-/// Threads that a loop over `items` small items is worth: 1 for fewer than 2^17.
+/// Returns threads that a loop over `items` small items is worth: 1 for fewer than 2^17.
 inline std::uint32_t threads_for(std::uint64_t items) {
   return items >> 17 == 0 ? 1 : available_threads();
 }
@@ -30,12 +30,12 @@ void for_each_in_threads(std::uint32_t threads, std::size_t size,
                          const std::function<void(std::uint32_t, std::size_t)>& work,
                          std::size_t chunk = 1);
 
-/// The numbers below a size in blocks that threads take one at a time.
+/// Represents the numbers below a size in blocks that threads take one at a time.
 class IndexRanges {
  public:
   explicit IndexRanges(std::size_t size) : size_(size) {}
   std::size_t count() const { return (size_ + kBlock - 1) / kBlock; }
-  /// Begin and end of block i.
+  /// Returns the begin and end of block i.
   std::pair<std::size_t, std::size_t> operator[](std::size_t i) const {
     return {i * kBlock, std::min(size_, (i + 1) * kBlock)};
   }

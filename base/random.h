@@ -6,9 +6,9 @@
 
 namespace ar3d {
 
-/// A counter-based random stream (Philox 4x32-10): the numbers are a pure function of (seed,
-/// stream, position), equal on every platform, compiler and thread count. Give every independent
-/// use its own stream number.
+/// Represents a counter-based random stream (Philox 4x32-10): the numbers are a pure function of
+/// (seed, stream, position), equal on every platform, compiler and thread count. Give every
+/// independent use its own stream number.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed, std::uint64_t stream = 0)
@@ -22,7 +22,7 @@ class RandomStream {
     const std::uint64_t low = next32();
     return low | (static_cast<std::uint64_t>(next32()) << 32);
   }
-  /// Exactly uniform in [0, bound), bound >= 1 (Lemire's method with rejection).
+  /// Returns a number that is uniform in [0, bound), bound >= 1 (Lemire's method with rejection).
   std::uint32_t below(std::uint32_t bound) {
     std::uint64_t product = static_cast<std::uint64_t>(next32()) * bound;
     if (static_cast<std::uint32_t>(product) < bound) {
@@ -33,15 +33,15 @@ class RandomStream {
     }
     return static_cast<std::uint32_t>(product >> 32);
   }
-  /// Exactly uniform in [0, bound), bound >= 1.
+  /// Returns a number that is uniform in [0, bound), bound >= 1.
   std::uint64_t below64(std::uint64_t bound);
-  /// True with probability numerator / denominator, exactly.
+  /// Returns true with probability numerator / denominator, exactly.
   bool chance(std::uint32_t numerator, std::uint32_t denominator) {
     return below(denominator) < numerator;
   }
-  /// Uniform in [0, 1) with 53 bits.
+  /// Returns a number that is uniform in [0, 1) with 53 bits.
   double unit() { return static_cast<double>(next64() >> 11) * 0x1.0p-53; }
-  /// Uniform random permutation in place (Fisher-Yates); fewer than 2^32 elements.
+  /// Permutes in place, uniformly (Fisher-Yates); fewer than 2^32 elements.
   template <class T>
   void shuffle(std::span<T> items) {
     for (std::size_t i = items.size(); i > 1; --i) {

@@ -17,10 +17,10 @@
 
 namespace ar3d {
 
-/// Bytes through a descriptor that waits, as many calls as it takes, signals or not.
-/// @return how many. Where they are fewer than asked for, errno is the reason; 0 if the file or the
-/// other side has ended.
-/// Nothing written is EIO.
+/// Reads or writes all bytes of a blocking descriptor, after signals, too.
+/// @return how many. Where they are fewer than asked for, errno is the
+/// reason; 0 if the file or the other side has ended. Nothing written is
+/// EIO.
 std::size_t write_whole(int descriptor, std::span<const char> bytes);
 std::size_t write_whole(int descriptor, std::span<const char> bytes, std::uint64_t offset);
 std::size_t read_whole(int descriptor, std::span<char> bytes, std::uint64_t offset);
@@ -29,7 +29,7 @@ std::size_t read_whole(int descriptor, std::span<char> bytes, std::uint64_t offs
 bool send_all(int socket, std::span<const char> bytes);
 bool receive_all(int socket, std::span<char> bytes);
 
-/// The bytes of a plain value, to be sent or received.
+/// Returns the bytes of a plain value, to be sent or received.
 template <class Value>
 std::span<char> bytes_in(Value& value) {
   return {reinterpret_cast<char*>(&value), sizeof(value)};
@@ -41,14 +41,14 @@ double address_space_bytes();
 /// Holds what a child process has from this one.
 struct ChildSetup {
   std::array<int, 3> streams = {-1, -1, -1};  ///< its standard ones; -1: those of this process
-  /// Other descriptors that stay open in a forked process; nothing: all. A program has none.
+  /// Holds other descriptors that stay open in a forked process; nothing: all. A program has none.
   std::optional<std::vector<int>> kept = {};
   int core = -1;               ///< the only core it may use; -1: as this process
   int death_signal = SIGKILL;  ///< it comes when the thread that started the child ends
 };
 
-/// A child process in a process group of its own, without a core file. It ends with this object, and
-/// so does all that it has started, unless that has left the group. To be used by one thread.
+/// Is a child process in a process group of its own, without a core file. It ends with this object,
+/// and so does all that it has started, unless that has left the group. To be used by one thread.
 class Child {
  public:
   Child() = default;
@@ -63,9 +63,9 @@ class Child {
   /// InputError if the system has no process or descriptor left.
   static Child of_program(std::vector<std::string> words, const ChildSetup& setup);
 
-  /// Why the program cannot be run (errno), else 0. It then ends with code 127.
+  /// Returns why the program cannot be run (errno), else 0. It then ends with code 127.
   int run_error() const { return run_error_; }
-  /// This process's end of a forked one's socket.
+  /// Returns this process's end of a forked one's socket.
   int socket() const { return socket_.get(); }
   bool has_ended();
   /// Waits until it has ended, and ends what it has left in its group. @return its status as
@@ -75,7 +75,7 @@ class Child {
   void send(int signal) const;
   /// Ends it and its group at once; nothing if it has ended.
   void kill();
-  /// CPU time so far, in seconds; NaN once it has ended.
+  /// Returns CPU time so far, in seconds; NaN once it has ended.
   double cpu_s() const;
 
  private:

@@ -11,9 +11,9 @@
 
 namespace ar3d {
 
-/// The rows of one study, wherever they are: in journals and results files of its shards, ranks and
-/// sessions. Whatever the order in which the files are added, the same rows stand in it.
-/// Memory: about 60 bytes per row and 1 MB per file.
+/// Represents the rows of one study, wherever they are: in journals and results files of its
+/// shards, ranks and sessions. Whatever the order in which the files are added, the same rows stand
+/// in it. Memory: about 60 bytes per row and 1 MB per file.
 class RowCollection {
  public:
   /// @param format  outlives the collection.
@@ -26,14 +26,14 @@ class RowCollection {
   /// specification or source than the files before.
   void add(const std::string& path);
 
-  /// No more is added. @throws InputError if a row is there twice and not the same, naming the
-  /// files and the column.
+  /// Ends the adding. @throws InputError if a row is there twice and not the same, naming the files
+  /// and the column.
   void close();
 
   /// Returns the study's: `created` is the earliest of all files, `shard` and `planned_rows` are
   /// those of the first one.
   const StudyIdentity& identity() const;
-  /// The shards of the files, sorted, each once.
+  /// Returns the shards of the files, sorted, each once.
   const std::vector<Shard>& shards() const;
   /// Returns the entries of all sessions, in the order in which they began.
   const std::vector<EnvironmentEntry>& environment() const;

@@ -13,20 +13,20 @@
 
 namespace ar3d {
 
-/// The format of the rows of a study: the columns of /runs, /instances and /algorithms.
+/// Returns the format of the rows of a study: the columns of /runs, /instances and /algorithms.
 const RowFormat& run_format();
 
-/// A row of the journal's session. One call at a time. @throws JournalFull, InputError as
+/// Appends a row of the journal's session. One call at a time. @throws JournalFull, InputError as
 /// store_record.
 void append_run(JournalWriter& journal, const RunRecord& run);
 
-/// A whole results file in memory.
+/// Describes a whole results file in memory.
 struct Results : StudyIdentity {
   std::vector<EnvironmentEntry> environment;
   std::vector<RunRecord> runs;
 };
 
-/// A results file, row by row. Memory: a few hundred rows.
+/// Represents a results file, row by row. Memory: a few hundred rows.
 class RunReader {
  public:
   /// @throws InputError as ResultsReader.
@@ -36,8 +36,8 @@ class RunReader {
   const std::vector<EnvironmentEntry>& environment() const { return reader_.environment(); }
   const std::vector<AlgorithmRecord>& algorithms() const { return algorithms_; }
   std::size_t size() const { return reader_.size(); }
-  /// Row i with its bounds; cheap if i is near the one before. @throws InputError naming file and
-  /// row.
+  /// Returns row i with its bounds; cheap if i is near the one before. @throws InputError naming
+  /// file and row.
   RunRecord read(std::size_t i);
 
  private:
@@ -46,8 +46,8 @@ class RunReader {
   std::vector<AlgorithmRecord> algorithms_;
 };
 
-/// The rows of one study, looked at one at a time, so that millions of them need not fit into
-/// memory. What it points at outlives it.
+/// Describes the rows of one study, looked at one at a time, so that millions of them need not fit
+/// into memory. What it points at outlives it.
 struct RowView {
   const StudyIdentity* identity = nullptr;
   const std::vector<EnvironmentEntry>* environment = nullptr;

@@ -30,7 +30,7 @@ struct Shard {
 /// 1 <= index <= count <= 1,000,000.
 bool is_shard(const Shard& shard);
 
-/// "2/8": the second of eight; nothing if the text is no shard.
+/// Returns "2/8": the second of eight; nothing if the text is no shard.
 std::optional<Shard> parse_shard(std::string_view text);
 
 /// Holds what makes rows belong together.
@@ -46,14 +46,14 @@ struct StudyIdentity {
   std::int64_t planned_rows = -1;   ///< of this shard; -1: unknown
   std::vector<StoredTable> tables;  ///< small tables that describe all rows
 
-  /// Commit and changes, "8a1f… with changes 17c0…".
+  /// Returns the commit and changes, "8a1f… with changes 17c0…".
   std::string source() const;
 };
 
-/// The table of that name; null if there is none.
+/// Returns the table of that name; null if there is none.
 const StoredTable* find_table(const StudyIdentity& identity, std::string_view name);
 
-/// XXH3-128 of the bytes, 32 hexadecimal digits.
+/// Returns XXH3-128 of the bytes, 32 hexadecimal digits.
 std::string content_hash(std::string_view bytes);
 
 }  // namespace ar3d

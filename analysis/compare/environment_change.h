@@ -8,26 +8,26 @@
 
 namespace ar3d {
 
-/// One thing about the machine, the build or its load that two results do not share.
+/// Describes one thing about the machine, the build or its load that two results do not share.
 struct EnvironmentChange {
   std::string name;  ///< "cpu", "flags", …
   std::string base;  ///< its value there, "absent" if none
   std::string now;
-  /// False for a machine that was equally busy with other work on both sides.
+  /// Returns false for a machine that was equally busy with other work on both sides.
   bool differs() const { return base != now; }
 };
 
-/// The name of the change that says that the machine was busy.
+/// Holds the name of the change that says that the machine was busy.
 inline constexpr const char* kLoadOfOtherWork = "load of other work";
 
-/// All lasting settings of a machine and a build, by name (processor, cores, kernel, compiler,
-/// flags, libraries, threads, variables); values of several sessions, "a | b". Results with equal
-/// settings are of one environment.
+/// Returns all lasting settings of a machine and a build, by name (processor, cores, kernel,
+/// compiler, flags, libraries, threads, variables); values of several sessions, "a | b". Results
+/// with equal settings are of one environment.
 std::map<std::string, std::string> lasting_settings(
     const std::vector<EnvironmentEntry>& environment);
 
-/// The one-minute load at a session's beginning that is more than half of the cores, or at its end,
-/// if it is as much more than the rows that it made at a time; empty if none is.
+/// Returns the one-minute load at a session's beginning that is more than half of the cores, or at
+/// its end, if it is as much more than the rows that it made at a time; empty if none is.
 std::string load_of_other_work(const std::vector<EnvironmentEntry>& environment,
                                double rows_at_a_time);
 

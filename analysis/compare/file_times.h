@@ -14,8 +14,8 @@
 
 namespace ar3d {
 
-/// Drawing times of one cell in one file; all as natural logarithms, in units of the short
-/// yardsticks near each where there are any.
+/// Describes drawing times of one cell in one file; all as natural logarithms, in units of the
+/// short yardsticks near each where there are any.
 struct SideTimes {
   std::size_t rounds = 0;  ///< of the graph that has the fewest; 0: it is not timed
   std::size_t graphs = 0;
@@ -28,7 +28,7 @@ using GraphRounds = std::map<std::tuple<std::int64_t, std::int64_t, std::uint64_
                              std::vector<std::pair<std::int64_t, double>>>;
 SideTimes side_times(const GraphRounds& graphs);
 
-/// The same in two files that were measured one after the other, over the rounds that both have.
+/// Is the same in two files that were measured one after the other, over the rounds that both have.
 struct CellTimes {
   std::string setting;             ///< algorithm_label()
   std::size_t rounds = 0;          ///< as SideTimes::rounds, the fewer
@@ -40,7 +40,7 @@ struct CellTimes {
 CellTimes cell_times(const PairedCell& cell);
 CellTimes cell_times(std::string setting, const SideTimes& base, const SideTimes& now);
 
-/// All cells of one algorithm with its options.
+/// Describes all cells of one algorithm with its options.
 struct SettingTimes {
   std::string name;
   std::size_t cells = 0;
@@ -65,19 +65,19 @@ struct FileTimes {
 
 inline constexpr std::size_t kFewestRounds = 4;
 
-/// Settings that tell a common factor.
+/// Holds settings that tell a common factor.
 inline constexpr std::size_t kFewestSettings = 3;
-/// What yardsticks alone may be wrong by, where fewer settings are there.
+/// Tells what yardsticks alone may be wrong by, where fewer settings are there.
 inline constexpr double kWithoutOthers = 0.05;
 
 /// @param cells  of one setting each. @param yardsticks  as FileTimes. Cost: O(c log c) for c cells.
 FileTimes judge_file_times(const std::vector<CellTimes>& cells,
                            const std::array<double, 3>& yardsticks, const TimeRule& rule);
 
-/// Medians of the logarithms of the yardsticks of all rows; NaN: there are none.
+/// Returns medians of the logarithms of the yardsticks of all rows; NaN: there are none.
 std::array<double, 3> yardsticks_of(const Results& results);
 
-/// "diamond +19.8 % [+18.9 %, +20.7 %]": the distance of a setting.
+/// Returns "diamond +19.8 % [+18.9 %, +20.7 %]": the distance of a setting.
 std::string distance_text(const SettingTimes& setting);
 
 /// Returns what a person is told: how fast the machine was, what moved against all others.

@@ -15,7 +15,7 @@ struct PairedRow {
   const RunRecord* now = nullptr;
 };
 
-/// The measurements of one algorithm on one family at one size.
+/// Describes the measurements of one algorithm on one family at one size.
 struct PairedCell {
   CurveKey key;
   std::int64_t n = -1;  ///< vertices; -1: all sizes
@@ -41,12 +41,12 @@ bool both_drawn(const PairedRow& row);
 /// "random-cubic n=100 instance 0, diamond (effort=1), repetition 2": which measurement a row is.
 std::string row_label(const RunRecord& run);
 
-/// The drawn pairs whose times count: of the timing phase if the cell has any, else of metrics. A
-/// pair without two finite positive drawing times is left out.
+/// Returns the drawn pairs whose times count: of the timing phase if the cell has any, else of
+/// metrics. A pair without two finite positive drawing times is left out.
 std::vector<PairedRow> timed_rows(const PairedCell& cell);
 
-/// log(new / base) of a whole round as one number: the median over graphs of the ratio of the
-/// smallest drawing times among the repetitions of each; NaN if there is none.
+/// Returns log(new / base) of a whole round as one number: the median over graphs of the ratio of
+/// the smallest drawing times among the repetitions of each; NaN if there is none.
 double round_log_time_ratio(const PairedCell& cell);
 
 /// Rows drawn on both sides whose time is not a finite positive number although it should be one.
@@ -55,7 +55,7 @@ std::size_t rows_without_time(const PairedCell& cell);
 /// Says what a change of a value without noise means.
 enum class Effect { other, better, worse, violated };
 
-/// One such change of one row.
+/// Describes one such change of one row.
 struct FixedChange {
   Effect effect = Effect::other;
   std::string message;  ///< one line: what, before, after
@@ -70,8 +70,8 @@ std::vector<FixedChange> fixed_changes(const PairedRow& row);
 /// log2(new / base) of the volume that fixed_changes compares; 0 where one of the two has none.
 double log2_volume_change(const PairedRow& row);
 
-/// log(new / base) of a whole cell's counts, by their sums over its drawings; NaN unless both sides
-/// have counted all that both have drawn.
+/// Describes log(new / base) of a whole cell's counts, by their sums over its drawings; NaN unless
+/// both sides have counted all that both have drawn.
 struct CountChange {
   double instructions = kMissing;
   double cycles = kMissing;  ///< estimated, with the simulated cache
@@ -79,7 +79,7 @@ struct CountChange {
 };
 CountChange count_change(const PairedCell& cell);
 
-/// Worse or better if one of the two is more than log(1 + its threshold) away from 0.
+/// Returns worse or better if one of the two is more than log(1 + its threshold) away from 0.
 std::vector<FixedChange> count_changes(const CountChange& change, double instruction_threshold,
                                        double cycle_threshold);
 

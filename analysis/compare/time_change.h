@@ -10,18 +10,18 @@
 
 namespace ar3d {
 
-/// The null distribution of Wilcoxon's signed-rank statistic W of k pairs: the sum of the ranks of
-/// the positive differences when every sign is a fair coin. Exact up to kExactPairs, beyond that
-/// the normal approximation with continuity correction.
+/// Represents the null distribution of Wilcoxon's signed-rank statistic W of k pairs: the sum of
+/// the ranks of the positive differences when every sign is a fair coin. Exact up to kExactPairs,
+/// beyond that the normal approximation with continuity correction.
 class SignedRankDistribution {
  public:
   static constexpr std::size_t kExactPairs = 100;
   /// Cost: O(k^3) up to kExactPairs, else O(1).
   explicit SignedRankDistribution(std::size_t pairs);
   std::size_t pairs() const { return pairs_; }
-  /// P(W <= w) = P(W >= k(k+1)/2 - w).
+  /// Returns P(W <= w) = P(W >= k(k+1)/2 - w).
   double tail(std::size_t w) const;
-  /// The largest w with tail(w) <= p; none if even W = 0 is likelier than p.
+  /// Returns the largest w with tail(w) <= p; none if even W = 0 is likelier than p.
   std::optional<std::size_t> critical(double p) const;
 
  private:
@@ -29,7 +29,7 @@ class SignedRankDistribution {
   std::vector<double> cumulative_;  ///< of W = 0, 1, …; empty beyond kExactPairs
 };
 
-/// The means (d_i + d_j) / 2 of all i <= j, sorted. The statistic W is how many of them are
+/// Returns the means (d_i + d_j) / 2 of all i <= j, sorted. The statistic W is how many of them are
 /// positive; their median is the Hodges-Lehmann estimate. Cost: O(k^2 log k) for k differences.
 std::vector<double> walsh_averages(std::span<const double> differences);
 
@@ -51,11 +51,11 @@ struct SignedRankTest {
 SignedRankTest signed_rank_test(std::span<const double> differences,
                                 const SignedRankDistribution& distribution, double confidence);
 
-/// Benjamini and Hochberg's adjusted p-values: rejecting where the adjusted one is at most q keeps
-/// the expected share of false ones among the rejected at q or below. Cost: O(m log m).
+/// Returns Benjamini and Hochberg's adjusted p-values: rejecting where the adjusted one is at most
+/// q keeps the expected share of false ones among the rejected at q or below. Cost: O(m log m).
 std::vector<double> adjusted_p_values(std::span<const double> p_values);
 
-/// When a change of time counts.
+/// Tells when a change of time counts.
 struct TimeRule {
   double threshold = 0.05;             ///< smaller changes do not matter: 0.05 is 5 %
   double significance = 0.001;         ///< largest two-sided p-value of one cell
@@ -76,20 +76,20 @@ struct TimeVerdict {
   TimeChange change = TimeChange::undecided;
 };
 
-/// Fewest pairs that can be significant: all of them point one way.
+/// Returns the fewest pairs that can be significant: all of them point one way.
 std::size_t fewest_pairs(const TimeRule& rule);
-/// Fewest pairs with which one cell among `cells` can be found (Benjamini and Hochberg's
-/// threshold).
+/// Returns the fewest pairs with which one cell among `cells` can be found (Benjamini and
+/// Hochberg's threshold).
 std::size_t fewest_pairs(const TimeRule& rule, std::size_t cells);
 
-/// One verdict a cell. @param log_ratios  log(new / base) of the pairs of every cell, finite. A
-/// cell with more than 2000 pairs is thinned evenly to at most that many.
+/// Returns one verdict a cell. @param log_ratios  log(new / base) of the pairs of every cell,
+/// finite. A cell with more than 2000 pairs is thinned evenly to at most that many.
 std::vector<TimeVerdict> judge_times(const std::vector<std::vector<double>>& log_ratios,
                                      const TimeRule& rule);
 
-/// The smallest true slowdown with which `log_ratios`, measured without any, would be judged slower
-/// while all other cells of `cells` stay as they are: ratio - 1; infinite if there are too few
-/// pairs.
+/// Returns the smallest true slowdown with which `log_ratios`, measured without any, would be
+/// judged slower while all other cells of `cells` stay as they are: ratio - 1; infinite if there
+/// are too few pairs.
 double smallest_visible_slowdown(std::vector<double> log_ratios, const TimeRule& rule,
                                  std::size_t cells);
 
@@ -103,7 +103,7 @@ struct Calibration {
   double smallest_slowdown_median = 0;  ///< smallest slowdown that would be found in 99 of 100
   double smallest_slowdown_worst = 0;   ///< relabellings: median over cells, and the worst cell
 
-  /// False alarms a cell and comparison, from the relabellings.
+  /// Returns false alarms a cell and comparison, from the relabellings.
   double false_alarm_rate() const;
 };
 

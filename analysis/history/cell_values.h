@@ -17,11 +17,11 @@ enum class Measure : std::uint8_t { time, instructions, cycles, volume, bends, c
 inline constexpr std::array kMeasures = {Measure::time,   Measure::instructions, Measure::cycles,
                                          Measure::volume, Measure::bends,        Measure::crossings,
                                          Measure::angle};
-/// "time", "instructions", "cycles", "volume", …
+/// Returns "time", "instructions", "cycles", "volume", …
 const char* to_string(Measure measure);
 
-/// A curve at one size with the very graphs that were drawn: values of other graphs are another
-/// cell's.
+/// Describes a curve at one size with the very graphs that were drawn: values of other graphs are
+/// another cell's.
 struct HistoryCell {
   CurveKey curve;
   std::int64_t n = -1;
@@ -29,7 +29,7 @@ struct HistoryCell {
   friend auto operator<=>(const HistoryCell&, const HistoryCell&) = default;
 };
 
-/// A measure of a cell in one results file; missing (NaN) where a row of the cell has none.
+/// Is a measure of a cell in one results file; missing (NaN) where a row of the cell has none.
 struct CellValue {
   /// Geometric means over the graphs but of bends (per edge), crossings and the smallest angle in
   /// degrees (arithmetic ones). Volumes are lattice points; of measured drawings they are in smallest
@@ -39,7 +39,7 @@ struct CellValue {
                            ///< measured has three digits there
 };
 
-/// The measures of a cell in one results file.
+/// Describes the measures of a cell in one results file.
 struct CellValues {
   SideTimes times;                             ///< of the timing phase if the cell has it
   std::array<CellValue, kMeasures.size()> of;  ///< but the time
@@ -50,11 +50,11 @@ struct CellTable {
   std::size_t unfinished = 0;  ///< rows neither ok nor measured: their cells have no values
   double rows_at_a_time = 1;   ///< the largest concurrency
   std::string build_kind;      ///< of a row that has one
-  /// Medians of the logarithms of the yardsticks near the rows; NaN without any.
+  /// Holds medians of the logarithms of the yardsticks near the rows; NaN without any.
   std::array<double, 3> yardsticks{};
 };
 
-/// One pass over the rows; those of batches (strong, weak) are left out. Memory: that of the
+/// Passes once over the rows; those of batches (strong, weak) are left out. Memory: that of the
 /// graphs. Cost: O(r log r) for r rows.
 CellTable cell_values(const RowView& rows);
 

@@ -13,7 +13,7 @@
 
 namespace ar3d {
 
-/// A results file of a history, without its rows.
+/// Describes a results file of a history, without its rows.
 struct CommitResults {
   std::string file;         ///< its path
   std::int64_t place = 0;   ///< where it stands in the order: more is later
@@ -29,7 +29,7 @@ struct CommitResults {
   std::size_t unfinished = 0;  ///< rows
 };
 
-/// One measure of one cell over the commits, in one environment.
+/// Describes one measure of one cell over the commits, in one environment.
 struct HistoryLine {
   std::size_t environment = 0;
   std::string study;
@@ -61,11 +61,11 @@ struct History {
   std::vector<HistoryLine> lines;  ///< by environment, study, cell, measure
   std::vector<HistoryChange>
       changes;  ///< the last commit first, then by measure, the largest first
-  /// What times can show, by environment and study.
+  /// Tells what times can show, by environment and study.
   std::vector<std::tuple<std::size_t, std::string, SmallestStep>> sights;
 };
 
-/// The name that a results file has in a history: PLACE_NAME_STUDY_ENVIRONMENT.h5, where
+/// Returns the name that a results file has in a history: PLACE_NAME_STUDY_ENVIRONMENT.h5, where
 /// ENVIRONMENT stands for the lasting settings, so that results of two machines do not meet.
 /// @param name  letters, digits, '.', '+' and '-'. @throws InputError naming it if it is not.
 std::string history_file_name(std::int64_t place, const std::string& name,
@@ -81,13 +81,13 @@ History read_history(const std::string& folder, const CompareOptions& rule);
 /// For a terminal: every change under its commit, `most_commits` at most, and what was judged.
 std::string summary(const History& history, std::size_t most_commits = 20);
 
-/// Everything that the page shows. @param folder  as commands name it.
+/// Returns everything that the page shows. @param folder  as commands name it.
 std::vector<Table> history_tables(const History& history, const std::string& folder);
 
-/// "slower", "fewer instructions", "larger volume", …
+/// Returns "slower", "fewer instructions", "larger volume", …
 const char* direction_text(const HistoryChange& change);
 
-/// The line that compares the results before a change with those that have it.
+/// Returns the line that compares the results before a change with those that have it.
 std::string compare_command(const History& history, const HistoryChange& change);
 
 }  // namespace ar3d

@@ -21,7 +21,7 @@ struct TimeSeries {
 
 inline constexpr std::size_t kNoCell = static_cast<std::size_t>(-1);
 
-/// A change of times that lasts. Times are logarithms.
+/// Describes a change of times that lasts. Times are logarithms.
 struct TimeStep {
   std::size_t at = 0;          ///< first result with it
   std::size_t width = 0;       ///< results on either side that show it
@@ -33,7 +33,7 @@ struct TimeStep {
   double error = 0;            ///< the change is within +- error
 };
 
-/// The smallest change of a setting that its results can show.
+/// Describes the smallest change of a setting that its results can show.
 struct SmallestStep {
   std::string setting;
   std::size_t cells = 0;

@@ -19,7 +19,7 @@ struct RealSetting {
 /// "float" of 24 bits, … for `two-bend-paper` with its option type; another algorithm's label.
 RealSetting real_setting(const CurveKey& key);
 
-/// One drawing that was judged without tolerance: a first repetition of the metrics phase.
+/// Is one drawing that was judged without tolerance: a first repetition of the metrics phase.
 struct RealRow {
   std::size_t row = 0;
   std::size_t setting = 0;  ///< in RealRows::settings
@@ -63,10 +63,10 @@ struct PrecisionRows {
 };
 PrecisionRows precision_rows(const StudyAnalysis& analysis);
 
-/// The family with most graphs, of which medians tell most.
+/// Returns the family with most graphs, of which medians tell most.
 std::string sample_family(const RealRows& real);
 
-/// log10 of the median over the graphs of a family (empty: of all) by requested n.
+/// Returns log10 of the median over the graphs of a family (empty: of all) by requested n.
 std::map<std::int64_t, double> median_misses(const RealRows& real, std::size_t setting,
                                              const std::string& family);
 
@@ -79,7 +79,7 @@ struct MissModel {
   std::map<std::string, double> family_kappa;  ///< log10 of the median, by family
   std::map<std::string, std::map<std::int64_t, double>> log_condition;  ///< by family and n, median
 
-  /// log10 of kappa 2^-bits C in degrees.
+  /// Returns log10 of kappa 2^-bits C in degrees.
   static double log_miss(double log_kappa, double log_c, int bits);
 };
 MissModel miss_model(const RealRows& real);

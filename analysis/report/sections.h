@@ -14,7 +14,7 @@
 
 namespace ar3d::report {
 
-/// One curve of a section.
+/// Describes one curve of a section.
 struct SectionCurve {
   std::size_t place = 0;  ///< in StudyTally::curves and StudyAnalysis::bounds
   std::string family;     ///< family_label
@@ -29,7 +29,7 @@ struct SectionCurve {
   }
 };
 
-/// One setting: an algorithm with its options, and its families in the order of the file.
+/// Describes one setting: an algorithm with its options, and its families in the order of the file.
 struct Section {
   std::string label;
   std::string algorithm;
@@ -42,7 +42,7 @@ struct Section {
 inline constexpr std::size_t kFewestOfCollection = 20;
 inline constexpr std::size_t kMostFamilies = 300, kMostSections = 40, kShownFindings = 20;
 
-/// At most kMostSections of them.
+/// Returns at most kMostSections of them.
 std::vector<Section> sections(const StudyAnalysis& analysis);
 /// Returns the number of families that these labels are of: one with several parameters counts once.
 std::size_t count_families(const std::set<std::string>& family_labels);
@@ -54,7 +54,7 @@ std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve)
 /// Returns the interval that a growth is told with (docs/analysis.md, Growth, points 4 and 5).
 Interval told_interval(const ScalingEntry& entry);
 
-/// The graphs that tables point at by their rows: the table `graphs` says what each is.
+/// Represents the graphs that tables point at by their rows: the table `graphs` says what each is.
 class GraphList {
  public:
   explicit GraphList(const StudyAnalysis& of) : analysis(of) {}
@@ -104,7 +104,7 @@ void add_precision(TableMaker& make);    // misses, onsets, …, judgements
 
 Table bounds_table_of(const StudyAnalysis& analysis, const std::vector<Section>& sections);
 Table growth_table_of(const StudyAnalysis& analysis, const std::vector<Section>& sections);
-/// The rows of the graphs that the pairs of volumes of collections name.
+/// Returns the rows of the graphs that the pairs of volumes of collections name.
 std::vector<std::size_t> collection_outliers(const std::vector<Section>& sections);
 
 /// Volume and drawing time: decimal logarithms, medians. Times are those of the timing phase.
@@ -126,33 +126,33 @@ struct ComparedSetting {
 };
 std::vector<ComparedSetting> settings_of(const std::vector<Section>& sections);
 
-/// Settings that can be compared, and the families that all of them drew.
+/// Describes settings that can be compared, and the families that all of them drew.
 struct SettingGroup {
   std::vector<const ComparedSetting*> settings;
   std::set<std::string> families;
-  /// Some setting has a unit of its own, so that all volumes are over the smallest distance of
-  /// vertices.
+  /// Is true if some setting has a unit of its own, so that all volumes are over the smallest
+  /// distance of vertices.
   bool is_relative = false;
 
-  /// The settings with this n, and those of the families that all of these drew there.
+  /// Returns the settings with this n, and those of the families that all of these drew there.
   SettingGroup at(std::int64_t n) const;
   std::vector<std::int64_t> sizes() const;
 };
 
-/// At most four groups of at least two settings, none of which could have another setting without
-/// losing families; most algorithms first, then most settings.
+/// Returns at most four groups of at least two settings, none of which could have another setting
+/// without losing families; most algorithms first, then most settings.
 std::vector<SettingGroup> groups_of(const std::vector<ComparedSetting>& settings);
 
-/// The median of a setting's medians over the group's families at an n that it has; `volume` is the
-/// relative one if the group's are.
+/// Returns the median of a setting's medians over the group's families at an n that it has;
+/// `volume` is the relative one if the group's are.
 Median over(const ComparedSetting& setting, std::int64_t n, const SettingGroup& group);
 
-/// A graph that two settings drew: log10 of its requested n, and of the one's volume over the
-/// other's.
+/// Describes a graph that two settings drew: log10 of its requested n, and of the one's volume over
+/// the other's.
 struct PairedGraph {
   double log_n = 0, log_ratio = 0;
 };
-/// The graphs of the group's families that both drew and the tally keeps.
+/// Returns the graphs of the group's families that both drew and the tally keeps.
 std::vector<PairedGraph> paired_graphs(const ComparedSetting& one, const ComparedSetting& other,
                                        const SettingGroup& group);
 
@@ -168,7 +168,7 @@ struct SizeBin {
 /// scale that hold any. @param sizes  at least 1 each; smaller ones are in no bin but the first.
 std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t most);
 
-/// At most `most` of the items, evenly, the first and the last among them.
+/// Returns at most `most` of the items, evenly, the first and the last among them.
 template <class Item>
 std::vector<Item> evenly(const std::vector<Item>& items, std::size_t most) {
   if (items.size() <= most) return items;

@@ -9,13 +9,13 @@
 
 namespace ar3d {
 
-/// One point of a least-squares fit: y = sum over j of coefficient[j] * regressors[j].
+/// Describes one point of a least-squares fit: y = sum over j of coefficient[j] * regressors[j].
 struct FitPoint {
   std::vector<double> regressors;
   double y = 0;
 };
 
-/// A fit as a linear map of the data: coefficient[j] = sum over s of projection[j][s] * y[s].
+/// Is a fit as a linear map of the data: coefficient[j] = sum over s of projection[j][s] * y[s].
 struct LinearFit {
   std::vector<double> coefficients;
   std::vector<std::vector<double>> projection;  ///< [coefficient][point]
@@ -24,10 +24,10 @@ struct LinearFit {
   double square_sum = 0;                        ///< of the residuals
 };
 
-/// Ordinary least squares.
+/// Fits by ordinary least squares.
 /// @param points  at least as many as regressors.
-/// @throws InternalError if the regressors are linearly dependent on these points.
-/// Cost: O(s^2 p + p^3) for s points and p regressors.
+/// @throws InternalError if the regressors are linearly dependent on these points. Cost: O(s^2 p +
+/// p^3) for s points and p regressors.
 LinearFit fit_linear(const std::vector<FitPoint>& points);
 
 /// Confidence interval of coefficient j that holds for independent errors of unequal variances: the
@@ -45,9 +45,9 @@ struct FitOptions {
   double confidence = 0.95;       ///< of every interval
 };
 
-/// value = exp(log_factor) * n^exponent, or with logarithms * log(n)^log_exponent, fitted to the
-/// means of the logarithms of each size, every size with the same weight: a size is a cluster,
-/// whose graphs may share an error. Intervals are robust_interval's.
+/// Describes value = exp(log_factor) * n^exponent, or with logarithms * log(n)^log_exponent, fitted
+/// to the means of the logarithms of each size, every size with the same weight: a size is a
+/// cluster, whose graphs may share an error. Intervals are robust_interval's.
 struct CurveFit {
   bool fitted = false;  ///< false with fewer sizes than coefficients
   double log_factor = 0;
@@ -57,7 +57,7 @@ struct CurveFit {
   Interval log_exponent_interval{kMissing, kMissing};
   double square_sum = 0;  ///< of the sizes' residuals
   double log_value(double n) const;
-  /// Square root of the mean squared residual of `sizes` sizes.
+  /// Returns the square root of the mean squared residual of `sizes` sizes.
   double typical_residual(std::size_t sizes) const;
 };
 
@@ -68,14 +68,14 @@ CurveFit fit_curve(std::span<const SizeSample> sizes, bool with_log, bool interv
 
 /// Holds how far the sizes are from a straight line in log-log axes.
 struct Curvature {
-  /// Local exponent (slope in log-log axes) of the fitted parabola at the smallest and at the
-  /// largest size; their difference, the drift, has an interval.
+  /// Holds the local exponent (slope in log-log axes) of the fitted parabola at the smallest and at
+  /// the largest size; their difference, the drift, has an interval.
   double first_exponent = kMissing;
   double last_exponent = kMissing;
   Interval drift{kMissing, kMissing};
-  /// p-value of the F-test that neither a quadratic nor a cubic term is needed.
+  /// Holds the p-value of the F-test that neither a quadratic nor a cubic term is needed.
   double line_p = kMissing;
-  /// The same for a cubic term beside n^a log(n)^b.
+  /// Holds the same for a cubic term beside n^a log(n)^b.
   double with_log_p = kMissing;
 };
 

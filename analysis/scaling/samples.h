@@ -9,22 +9,22 @@
 
 namespace ar3d {
 
-/// "longest side", "x extent", …, "volume", "drawing time"
+/// Returns "longest side", "x extent", …, "volume", "drawing time"
 const char* name_of(Quantity quantity);
-/// "lattice units", "unit cells", "s"
+/// Returns "lattice units", "unit cells", "s"
 const char* unit_of(Quantity quantity);
 
-/// Natural logarithm of the theorem's bound on the quantity; missing for times and where the graph
-/// has no bound.
+/// Returns the natural logarithm of the theorem's bound on the quantity; missing for times and
+/// where the graph has no bound.
 double log_bound(const DrawnGraph& graph, Quantity quantity);
 
-/// One graph: the logarithm of its value and its first ok row.
+/// Describes one graph: the logarithm of its value and its first ok row.
 struct InstanceValue {
   double log_value = 0;
   std::size_t row = 0;
 };
 
-/// All graphs of one n, or a uniform sample of them; never empty.
+/// Describes all graphs of one n, or a uniform sample of them; never empty.
 struct SizeSample {
   std::int64_t n = 0;
   std::int64_t requested_n =
@@ -32,15 +32,15 @@ struct SizeSample {
   std::vector<InstanceValue> instances;
   double mean_of_all = kMissing;  ///< of the logarithms, where `instances` is a sample
   double log_bound = kMissing;    ///< of the first instance
-  /// Some instance of this size ended in timeout, out of memory or a crash: what is here are the
-  /// fast ones only.
+  /// Is true if some instance of this size ended in timeout, out of memory or a crash: what is here
+  /// are the fast ones only.
   bool censored = false;
   std::vector<double> log_values() const;
   double mean_log() const;  ///< of all graphs, in the sample or not
 };
 
-/// The measured sizes of one curve in increasing order of n >= 1; only ok rows count. Times are
-/// those of the timing phase if the curve has such rows, else of the metrics phase (for plots).
+/// Returns the measured sizes of one curve in increasing order of n >= 1; only ok rows count. Times
+/// are those of the timing phase if the curve has such rows, else of the metrics phase (for plots).
 std::vector<SizeSample> samples(const CurveTally& curve, Quantity quantity);
 
 /// Holds which sizes a fit uses, and what is left out and why (one clause each, for the report).
@@ -49,8 +49,8 @@ struct FitSizes {
   std::vector<std::string> left_out;
 };
 
-/// The stated rule: sizes with censored instances are left out; then sizes below the square root of
-/// the largest one, as long as `minimum_sizes` stay.
+/// Applies the stated rule: sizes with censored instances are left out; then sizes below the square
+/// root of the largest one, as long as `minimum_sizes` stay.
 FitSizes choose_sizes(const std::vector<SizeSample>& all, std::size_t minimum_sizes);
 
 }  // namespace ar3d

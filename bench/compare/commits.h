@@ -12,13 +12,13 @@ namespace ar3d {
 /// @return -1 if git in the working directory does not know the commit.
 std::int64_t commits_up_to(const std::string& commit);
 
-/// The folder of the git checkout of ar3d that holds the working directory.
+/// Returns the folder of the git checkout of ar3d that holds the working directory.
 /// @throws InputError if there is none.
 std::string find_checkout();
 
-/// The program of another commit, Release, as CHECKOUT/build/compare/COMMIT/ar3d. What is there is
-/// taken as it is; else it is built in a git worktree beside it, which is removed afterwards,
-/// however the build ends.
+/// Returns the program of another commit, Release, as CHECKOUT/build/compare/COMMIT/ar3d. What is
+/// there is taken as it is; else it is built in a git worktree beside it, which is removed
+/// afterwards, however the build ends.
 /// @param ref  whatever git takes for a commit: a tag, a branch, HEAD~3.
 /// @param progress  where to tell how far it is; null: nowhere.
 /// @return nothing if it was interrupted (is_interrupted).

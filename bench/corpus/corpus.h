@@ -15,9 +15,9 @@
 
 namespace ar3d {
 
-/// Graphs in a temporary file that has no name any more: it goes with the last process that has it
-/// open. Each is stored as n, m and the differences of its edges, 7 bits a byte: about 2 bytes an
-/// edge of a small graph.
+/// Represents graphs in a temporary file that has no name any more: it goes with the last process
+/// that has it open. Each is stored as n, m and the differences of its edges, 7 bits a byte: about
+/// 2 bytes an edge of a small graph.
 class Spool {
  public:
   /// @throws InputError if the folder for temporary files (TMPDIR, else /tmp) takes no file.
@@ -25,7 +25,7 @@ class Spool {
 
   /// @return where the graph stands. @throws InputError if the disk is full.
   std::uint64_t append(const Graph& graph);
-  /// To be called behind the last append(). @throws as append().
+  /// Call it behind the last append(). @throws as append().
   void flush();
   /// The graph that stands there; called by any number of threads and forked processes at once.
   /// @throws InputError if it cannot be read.
@@ -40,13 +40,13 @@ class Spool {
   std::vector<char> buffer_;  // not written yet
 };
 
-/// A file as a study has read it before, with the graphs taken of it: lines of sparse6 by place.
+/// Is a file as a study has read it before, with the graphs taken of it: lines of sparse6 by place.
 struct HeldFile {
   CollectedFile record;
   std::map<std::uint32_t, std::string> lines;
 };
 
-/// A file of a corpus.
+/// Describes a file of a corpus.
 struct CorpusFile {
   std::string path;
   std::string name;          ///< of its graph in rows; empty where the corpus is one file
@@ -70,7 +70,7 @@ struct CorpusOptions {
   bool skip = false;  ///< a file is read up to its first error and listed; else that is thrown
   bool looks_again = false;  ///< files are held, and all that there are now stand behind them
 
-  /// All of it, "format=…;…": equal texts mean equal options.
+  /// Returns all of it, "format=…;…": equal texts mean equal options.
   std::string text() const;
 };
 
@@ -82,9 +82,9 @@ struct GraphIdentity {
   std::uint32_t copy = 0;
 };
 
-/// The graphs of files, read once and kept in a temporary file without a name, so that any of them
-/// can be had again in any order by any thread, and by forked processes. Memory: 28 bytes a graph,
-/// names and a hash a file, and one graph at a time.
+/// Represents the graphs of files, read once and kept in a temporary file without a name, so that
+/// any of them can be had again in any order by any thread, and by forked processes. Memory: 28
+/// bytes a graph, names and a hash a file, and one graph at a time.
 class Corpus {
  public:
   /// Reads the files whole (graphs in any format, packed or not). Behind files that are held, one
@@ -100,11 +100,11 @@ class Corpus {
   /// collection: of names, groups and hashes of its files.
   const std::string& hash() const { return hash_; }
   std::uint64_t graphs_in_file() const { return graphs_in_file_; }
-  /// Files left out because of CorpusOptions::skip; their collection has no name yet.
+  /// Returns files left out because of CorpusOptions::skip; their collection has no name yet.
   const std::vector<SkippedFile>& skipped() const { return skipped_; }
 
   const CorpusGrowth& growth() const { return growth_; }
-  /// The files with graphs, by place; their family has no name yet.
+  /// Returns the files with graphs, by place; their family has no name yet.
   const std::vector<CollectedFile>& files() const { return records_; }
 
   /// Returns the identity of the graph at that place. O(log files).
@@ -117,21 +117,21 @@ class Corpus {
   /// Returns how many of the graphs taken have a vertex of larger degree.
   std::size_t count_above(std::uint32_t max_degree) const;
 
-  /// The graphs taken, by number of vertices and, where that is equal, by place in the file.
+  /// Gives the graphs taken, by number of vertices and, where that is equal, by place in the file.
   std::size_t size() const { return order_.size(); }
-  /// Place among the graphs of all files, from 0. @pre i < size().
+  /// Returns the place among the graphs of all files, from 0. @pre i < size().
   std::uint32_t place(std::size_t i) const { return entries_[order_[i]].place; }
-  /// Number of vertices of that graph.
+  /// Returns the number of vertices of that graph.
   Vertex n(std::size_t i) const { return entries_[order_[i]].n; }
-  /// The first i with n(i) >= wanted, or the last one; rather the nearest one of no larger
+  /// Returns the first i with n(i) >= wanted, or the last one; rather the nearest one of no larger
   /// degree than allowed. @pre size() > 0.
   std::size_t first_of_size(std::uint64_t wanted, std::uint32_t max_degree) const;
 
-  /// The graph taken from that place. O(n + m).
+  /// Returns the graph taken from that place. O(n + m).
   /// @throws InputError if no graph was taken from there.
   Graph graph(std::uint32_t place) const;
 
-  /// A process that uses the corpus must leave this file descriptor open.
+  /// Returns a file descriptor that whoever uses the corpus leaves open.
   int descriptor() const { return spool_.descriptor(); }
 
  private:
@@ -163,7 +163,7 @@ class Corpus {
   Spool spool_;
 };
 
-/// A corpus under the name by which a study and its results know it.
+/// Describes a corpus under the name by which a study and its results know it.
 struct NamedCorpus {
   Family family;  ///< that name; every n is its own nearest; it generates nothing
   std::shared_ptr<const Corpus> graphs;
@@ -183,12 +183,12 @@ class CorpusShelf {
   std::map<std::string, std::shared_ptr<const Corpus>> corpora_;
 };
 
-/// The graph on the vertices with keep[v], renamed in order. O(n + m).
+/// Returns the graph on the vertices with keep[v], renamed in order. O(n + m).
 Graph induced(const Graph& graph, const std::vector<bool>& keep);
 
-/// The subgraph that the first `n` vertices of a breadth-first search induce (from vertex 0, then
-/// from the smallest vertex left), numbered as they are found; the graph itself if it has no more.
-/// Degrees only fall. O(n + m).
+/// Returns the subgraph that the first `n` vertices of a breadth-first search induce (from vertex
+/// 0, then from the smallest vertex left), numbered as they are found; the graph itself if it has
+/// no more. Degrees only fall. O(n + m).
 Graph breadth_first_piece(const Graph& graph, std::uint64_t n);
 
 }  // namespace ar3d

@@ -11,7 +11,7 @@
 
 namespace ar3d {
 
-/// A program that draws graphs: a row of the catalogue whose drawings another process makes.
+/// Is a program that draws graphs: a row of the catalogue whose drawings another process makes.
 struct ExternalAlgorithm {
   /// Name, options and guarantee; without a guarantee no degree is refused and no verdict given.
   Algorithm row;
@@ -28,25 +28,25 @@ struct ExternalAlgorithm {
   }
 };
 
-/// The words of the command with the options' values. @throws InputError on a brace that encloses
-/// no option.
+/// Returns the words of the command with the options' values. @throws InputError on a brace that
+/// encloses no option.
 std::vector<std::string> command_with(const ExternalAlgorithm& algorithm, const Settings& options);
 
 /// Returns what such a program reads for one graph: a line of graph6 or sparse6, or, as `edgelist`,
 /// a line "n m" and m lines "u v" with ids from 0.
 std::string request_of(const ExternalAlgorithm& algorithm, const Graph& graph);
 
-/// The hash of a program whose executable cannot be read.
+/// Holds the hash of a program whose executable cannot be read.
 inline constexpr const char* kAbsentProgram = "absent";
 
-/// XXH3-128 of what the program is made of, as far as its command shows: the contents of the
+/// Gives XXH3-128 of what the program is made of, as far as its command shows: the contents of the
 /// executable (a path, or looked up in $PATH) and of every further word that names a regular file,
 /// such as a script. kAbsentProgram if the executable cannot be read. Cost: reading these files.
 std::string program_hash(const ExternalAlgorithm& program);
 
-/// The version of the program that its results are kept under: the one that the study names, else
-/// the commit of the git repository in which the last of the files of program_hash() lies ("-dirty"
-/// behind it: with changes). Empty if there is neither.
+/// Returns the version of the program that its results are kept under: the one that the study
+/// names, else the commit of the git repository in which the last of the files of program_hash()
+/// lies ("-dirty" behind it: with changes). Empty if there is neither.
 std::string program_version(const ExternalAlgorithm& program);
 
 }  // namespace ar3d

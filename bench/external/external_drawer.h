@@ -26,7 +26,7 @@ class ProgramFailure : public std::runtime_error {
   RunStatus status_;
 };
 
-/// A program that answers each request with one line. It ends with this object.
+/// Represents a program that answers each request with one line. It ends with this object.
 class ExternalProcess {
  public:
   /// @throws ProgramFailure if it cannot be run.

@@ -12,14 +12,14 @@
 
 namespace ar3d {
 
-/// The part of a plan that a shard makes: every count-th instance, from the index-th. Rows keep
-/// their keys and their order, not their numbers.
+/// Returns the part of a plan that a shard makes: every count-th instance, from the index-th. Rows
+/// keep their keys and their order, not their numbers.
 StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard);
 
-/// Rows that a study is not complete without.
+/// Returns rows that a study is not complete without.
 std::int64_t required_rows(const StudyPlan& plan);
 
-/// The rows of a plan that a collection has, in the plan's order.
+/// Describes the rows of a plan that a collection has, in the plan's order.
 struct GatheredRows {
   std::vector<std::uint32_t> places;  ///< in the collection
   std::size_t missing = 0;            ///< required rows that it does not have

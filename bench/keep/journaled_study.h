@@ -12,7 +12,7 @@
 
 namespace ar3d {
 
-/// A study whose rows go into a journal beside its results file.
+/// Describes a study whose rows go into a journal beside its results file.
 struct JournaledStudy {
   StudySpec spec;
   Shard shard;
@@ -35,11 +35,11 @@ struct StudyOutcome {
   bool complete() const { return missing == 0; }
 };
 
-/// A study that begins. @throws InputError if there are journals of it already or the results file
-/// cannot be written.
+/// Returns a study that begins. @throws InputError if there are journals of it already or the
+/// results file cannot be written.
 JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::string& results);
 
-/// A study that has begun, from its journal or its unfinished results file.
+/// Returns a study that has begun, from its journal or its unfinished results file.
 /// @throws InputError naming the file if it cannot be read or does not say what study it is.
 JournaledStudy begun_study(const std::string& journal_or_results);
 
@@ -55,7 +55,7 @@ class FailedTogether : public InputError {
   bool journal_full_;
 };
 
-/// The study that rank 0 begins, on every rank. @throws FailedTogether if `begin` throws an
+/// Returns the study that rank 0 begins, on every rank. @throws FailedTogether if `begin` throws an
 /// InputError.
 JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin);
 

@@ -8,38 +8,38 @@
 
 namespace ar3d {
 
-/// "r.shard-2-of-8.h5" for r.h5; r.h5 itself if there is one shard.
+/// Returns "r.shard-2-of-8.h5" for r.h5; r.h5 itself if there is one shard.
 std::string path_of_shard(const std::string& results, const Shard& shard);
 
-/// "r.h5.journal", and "r.h5.rank-3.journal" for a rank other than 0.
+/// Returns "r.h5.journal", and "r.h5.rank-3.journal" for a rank other than 0.
 std::string journal_path(const std::string& results, int rank = 0);
 
-/// The path with its folder resolved (links, `.` and `..` followed), so that from now on it leads
-/// to the same file whatever happens to the way there. A path without a folder, or with one that
-/// is not there, stays as it is.
+/// Returns the path with its folder resolved (links, `.` and `..` followed), so that from now on it
+/// leads to the same file whatever happens to the way there. A path without a folder, or with one
+/// that is not there, stays as it is.
 std::string in_resolved_folder(const std::string& path);
 
 /// @throws InputError if the name is one that a journal or an unfinished file beside another
 /// results file would have.
 void require_results_name(const std::string& results);
 
-/// The journals of a study that exist, rank 0 first. Names are compared within the folder, whatever
-/// the path to it. @throws InputError if the folder cannot be listed.
+/// Returns the journals of a study that exist, rank 0 first. Names are compared within the folder,
+/// whatever the path to it. @throws InputError if the folder cannot be listed.
 std::vector<std::string> existing_journals(const std::string& results);
 
-/// The page that a study's report is, beside its results file.
+/// Returns the page that a study's report is, beside its results file.
 std::string report_path(const std::string& results);
 
-/// The file of the drawings that a study keeps, beside its results file: "r.drawings.jsonl" for
-/// r.h5.
+/// Returns the file of the drawings that a study keeps, beside its results file: "r.drawings.jsonl"
+/// for r.h5.
 std::string drawings_path(const std::string& results);
 
-/// The results file that a journal is made into; other paths are results files themselves.
+/// Returns the results file that a journal is made into; other paths are results files themselves.
 std::string results_path_of(const std::string& journal_or_results);
 
-/// True if there are no journals, or only some that a killed process has not removed any more after
-/// it had made the results file. @throws InputError naming a journal that cannot be read, or the
-/// folder if it cannot be listed.
+/// Returns true if there are no journals, or only some that a killed process has not removed any
+/// more after it had made the results file. @throws InputError naming a journal that cannot be
+/// read, or the folder if it cannot be listed.
 bool rows_are_in_results(const std::string& results);
 
 /// Removes what a killed process has left of a new results file, journal, report or file of
@@ -47,13 +47,13 @@ bool rows_are_in_results(const std::string& results);
 /// InputError if the folder cannot be listed.
 void remove_study_leftovers(const std::string& results);
 
-/// The folder of a study's files, held open: it stays the same one whatever its name becomes.
+/// Is the folder of a study's files, held open: it stays the same one whatever its name becomes.
 class StudyFolder {
  public:
   /// @throws InputError if it cannot be opened.
   explicit StudyFolder(const std::string& results);
-  /// The path of the results file in this folder: the one given as long as that leads here, else
-  /// the one under which the folder is found now.
+  /// Returns the path of the results file in this folder: the one given as long as that leads here,
+  /// else the one under which the folder is found now.
   std::string results_path() const;
 
  private:

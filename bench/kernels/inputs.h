@@ -11,7 +11,7 @@
 
 namespace ar3d::kernels {
 
-/// The seed of every random input of a kernel.
+/// Holds the seed of every random input of a kernel.
 inline constexpr std::uint64_t kSeed = 1;
 
 /// Returns random 4-regular graphs, or cubic ones for an algorithm that draws no degree 4.

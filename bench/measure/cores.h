@@ -9,7 +9,7 @@
 
 namespace ar3d {
 
-/// Numbers of the cores that the calling thread may run on, increasing.
+/// Returns the numbers of the cores that the calling thread may run on, increasing.
 std::vector<int> allowed_cores();
 
 /// Keeps the calling thread on one core for its lifetime. @throws InputError if the system refuses.

@@ -9,25 +9,25 @@ namespace ar3d {
 
 /// Git commit of the sources that the program was built from, "unknown" outside of a git checkout.
 std::string source_hash();
-/// True if tracked files differed from that commit when the program was built.
+/// Returns true if tracked files differed from that commit when the program was built.
 bool source_is_dirty();
 
-/// SHA-256 of what differed; empty if nothing did.
+/// Returns SHA-256 of what differed; empty if nothing did.
 std::string dirty_hash();
 
-/// Why times of this build are worth little: "debug" (no -DNDEBUG), "sanitised", or "" for a good
-/// build.
+/// Returns why times of this build are worth little: "debug" (no -DNDEBUG), "sanitised", or "" for
+/// a good build.
 const char* build_kind();
 
-/// "ar3d 1.0.0 (commit 0123456789ab, GNU 12.2.0, Release)"; it also says "modified" if the sources
-/// differed from the commit, and the build_kind().
+/// Returns "ar3d 1.0.0 (commit 0123456789ab, GNU 12.2.0, Release)"; it also says "modified" if the
+/// sources differed from the commit, and the build_kind().
 std::string build_summary();
 
-/// Machine, operating system, compiler, libraries, settings that influence speed; "absent" for what
-/// the system does not tell.
+/// Returns machine, operating system, compiler, libraries, settings that influence speed; "absent"
+/// for what the system does not tell.
 std::vector<EnvironmentEntry> capture_environment(int threads);
 
-/// The first three fields of /proc/loadavg.
+/// Returns the first three fields of /proc/loadavg.
 std::string load_average();
 
 }  // namespace ar3d

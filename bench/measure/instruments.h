@@ -9,7 +9,7 @@
 
 namespace ar3d {
 
-/// Wall time since construction.
+/// Measures wall time since construction.
 class Stopwatch {
  public:
   double wall_s() const {
@@ -20,7 +20,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// CPU time of the calling thread since construction. Reading it is a system call.
+/// Measures CPU time of the calling thread since construction. Reading it is a system call.
 class CpuStopwatch {
  public:
   double cpu_s() const { return thread_cpu_s() - start_; }
@@ -43,8 +43,8 @@ struct CountedEvents {
   std::int64_t cache_misses = -1;
 };
 
-/// The hardware counters of one thread (Linux perf_event_open). Construct and use it in that
-/// thread.
+/// Represents the hardware counters of one thread (Linux perf_event_open). Construct and use it in
+/// that thread.
 class HardwareCounters {
  public:
   HardwareCounters();
@@ -57,7 +57,7 @@ class HardwareCounters {
   /// told.
   CountedEvents stop();
 
-  /// "available", or "absent: <why>" naming the first hardware counter that cannot be had.
+  /// Returns "available", or "absent: <why>" naming the first hardware counter that cannot be had.
   const std::string& availability() const { return availability_; }
 
  private:
@@ -80,7 +80,7 @@ const char* to_string(MemoryScope scope);
 /// Cost of a call: about 1 us.
 class RowMemory {
  public:
-  /// To be constructed in the process that makes the rows.
+  /// Construct it in the process that makes the rows.
   explicit RowMemory(MemoryScope scope);
   ~RowMemory();
   RowMemory(const RowMemory&) = delete;
@@ -103,15 +103,15 @@ class RowMemory {
   std::int64_t first_base_ = 0;
 };
 
-/// Fixed work whose time tells how fast the machine is at the moment (kYardsticks). Whoever asks
-/// for them before every row spends at most 3 % of the time on them. Memory: 3 MB. Construct and
-/// use it in one thread.
+/// Represents fixed work whose time tells how fast the machine is at the moment (kYardsticks).
+/// Whoever asks for them before every row spends at most 3 % of the time on them. Memory: 3 MB.
+/// Construct and use it in one thread.
 class Yardsticks {
  public:
   Yardsticks();
-  /// CPU times in seconds. Measured anew if the thread has computed long enough since the last
-  /// time, else those of then: the two short ones (25 us each) every 3 ms, that of memory (2 ms)
-  /// every 200 ms.
+  /// Returns CPU times in seconds. Measured anew if the thread has computed long enough since the
+  /// last time, else those of then: the two short ones (25 us each) every 3 ms, that of memory (2
+  /// ms) every 200 ms.
   const std::array<double, 3>& now_s();
 
  private:

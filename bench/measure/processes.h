@@ -27,7 +27,7 @@ class Interruptible {
   void (*before_hup_)(int);
 };
 
-/// True once the living Interruptible was asked to stop. Safe in every thread.
+/// Returns true once the living Interruptible was asked to stop. Safe in every thread.
 bool is_interrupted();
 
 /// While an object of this class lives, what programs of this process leave behind when they end

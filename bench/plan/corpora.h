@@ -9,20 +9,20 @@
 
 namespace ar3d {
 
-/// A file, or a collection of files, of a study whose graphs are instances, opened.
+/// Describes a file, or a collection of files, of a study whose graphs are instances, opened.
 struct StudyCorpus {
   const Sweep* sweep = nullptr;        ///< of the specification
   const GraphsEntry* entry = nullptr;  ///< of that sweep
   GraphFileRecord record;
   std::shared_ptr<const NamedCorpus> corpus;
 
-  /// Family and parameters of its instances, for each of the entry's shuffles.
+  /// Returns the family and parameters of its instances, for each of the entry's shuffles.
   std::vector<FamilyChoice> choices() const;
 };
 
-/// Every file of the specification's `graphs`, in its order; those that a pattern matches by name,
-/// and those of a collection as one. A study that has begun has the files that it began with. Each
-/// is read once for all copies of the specification.
+/// Returns every file of the specification's `graphs`, in its order; those that a pattern matches
+/// by name, and those of a collection as one. A study that has begun has the files that it began
+/// with. Each is read once for all copies of the specification.
 /// @param only  given: just the files called so.
 /// @throws InputError naming the entry: a file that is missing or cannot be read, a pattern without
 /// match, a name that a family of the catalogue or another file has, two files with the same
@@ -32,8 +32,8 @@ std::vector<StudyCorpus> corpora_of(const StudySpec& spec, const std::string& on
 /// The files whose graphs are instances, not opened; none of a pattern that matches nothing now.
 std::vector<std::string> graph_files_of(const StudySpec& spec);
 
-/// The graph of a choice with a corpus: that of the place `index`, its labels permuted by the seed
-/// where the parameters say so.
+/// Returns the graph of a choice with a corpus: that of the place `index`, its labels permuted by
+/// the seed where the parameters say so.
 Graph corpus_graph(const FamilyChoice& choice, std::uint32_t index, std::uint64_t seed);
 
 }  // namespace ar3d

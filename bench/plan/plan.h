@@ -15,7 +15,7 @@
 
 namespace ar3d {
 
-/// One row to come: an algorithm with options, and which repetition.
+/// Describes one row to come: an algorithm with options, and which repetition.
 struct PlannedRun {
   AlgorithmChoice choice;
   std::string options;  ///< "effort=1"
@@ -31,10 +31,10 @@ struct PlannedRun {
   double precision = 0;
 };
 
-/// True if both runs make the same drawing of an instance at the same level, judged alike.
+/// Returns true if both runs make the same drawing of an instance at the same level, judged alike.
 bool is_same_drawing(const PlannedRun& a, const PlannedRun& b);
 
-/// One graph to come and everything that is done with it.
+/// Describes one graph to come and everything that is done with it.
 struct PlannedInstance {
   FamilyChoice choice;
   std::string parameters;  ///< "k=2;p=750000"
@@ -47,8 +47,8 @@ struct PlannedInstance {
 
 CurveKey curve_of(const PlannedInstance& instance, const PlannedRun& run);
 
-/// The graph of an instance. Of a corpus with requested_n below the graph's n: the piece of it that
-/// a breadth-first search finds first.
+/// Returns the graph of an instance. Of a corpus with requested_n below the graph's n: the piece of
+/// it that a breadth-first search finds first.
 /// @throws InputError if the family has no such graph.
 Graph graph_of(const PlannedInstance& instance);
 
@@ -71,8 +71,8 @@ struct PlannedBlock {
   bool is_explicit = false;         ///< one instance whose seed and keys stand as they are
 };
 
-/// The instances of a plan in order. They are kept as blocks and made when asked for, so that a
-/// million of them cost no more than one.
+/// Represents the instances of a plan in order. They are kept as blocks and made when asked for, so
+/// that a million of them cost no more than one.
 class PlannedInstances {
  public:
   explicit PlannedInstances(std::uint64_t study_seed = 0) : study_seed_(study_seed) {}
@@ -85,7 +85,7 @@ class PlannedInstances {
   const PlannedBlock& block_of_place(std::size_t place) const;
   const PlannedBlock& block_of_row(std::size_t row) const;
 
-  /// A block behind the others; its places and rows are numbered here.
+  /// Appends a block; its places and rows are numbered here.
   void append(PlannedBlock block);
   /// Of these instances, place `first` and every n-th after it. @pre first < n.
   PlannedInstances every_nth(std::size_t first, std::size_t n) const;
@@ -126,9 +126,9 @@ class PlannedInstances {
   std::size_t rows_ = 0;
 };
 
-/// All rows of a study, in the order of the specification: family, parameters, size, index,
-/// algorithm, options, repetition. Two sizes that a family rounds to the same n are one instance; a
-/// row that two sweeps ask for is planned once.
+/// Describes all rows of a study, in the order of the specification: family, parameters, size,
+/// index, algorithm, options, repetition. Two sizes that a family rounds to the same n are one
+/// instance; a row that two sweeps ask for is planned once.
 struct StudyPlan {
   PlannedInstances instances;
   TimingRules timing;  ///< of the specification
@@ -138,7 +138,7 @@ struct StudyPlan {
   std::size_t rows() const { return instances.rows(); }
 };
 
-/// The record of /algorithms of a choice.
+/// Returns the record of /algorithms of a choice.
 AlgorithmRecord algorithm_record(const AlgorithmChoice& choice);
 
 /// Leaves out an algorithm where the family's graphs pass its maximum degree (found by generating
@@ -149,18 +149,18 @@ AlgorithmRecord algorithm_record(const AlgorithmChoice& choice);
 /// see Corpus.
 StudyPlan plan_study(const StudySpec& spec);
 
-/// True if a run of the instance is of a phase that is meant.
+/// Returns true if a run of the instance is of a phase that is meant.
 bool has_run(const PlannedInstance& instance, const std::function<bool(RunPhase)>& is_meant);
-/// True if any instance of the plan has one.
+/// Returns true if any instance of the plan has one.
 bool has_run(const StudyPlan& plan, const std::function<bool(RunPhase)>& is_meant);
 
-/// Work that a row is, in a unit that is roughly proportional to time.
+/// Returns the work that a row is, in a unit that is roughly proportional to time.
 double work_of_row(const PlannedInstance& instance);
-/// Work of all its rows.
+/// Returns the work of all its rows.
 double work_of_instance(const PlannedInstance& instance);
 
-/// The places of plan.instances, the most costly first, so that no large one is left to the end;
-/// equally costly ones in the plan's order. The plan outlives it.
+/// Represents the places of plan.instances, the most costly first, so that no large one is left to
+/// the end; equally costly ones in the plan's order. The plan outlives it.
 class LargestFirst {
  public:
   explicit LargestFirst(const StudyPlan& plan);

@@ -24,7 +24,7 @@ struct StudyOrigin {
   std::optional<std::uint64_t> seed = {};
   std::optional<StudySpec> spec = {};  ///< with the files that it began with
   std::string moved_graphs = {};  ///< where the file of a row's graph is now; empty: where it was
-  /// The graphs of files that rows have needed, by their family: a folder is listed once.
+  /// Holds the graphs of files that rows have needed, by their family: a folder is listed once.
   std::shared_ptr<std::map<std::string, std::vector<FamilyChoice>>> choices =
       std::make_shared<std::map<std::string, std::vector<FamilyChoice>>>();
 };
@@ -32,12 +32,12 @@ struct StudyOrigin {
 /// The origin of a study's rows, from its specification; nothing if that cannot be read any more.
 StudyOrigin study_origin(const StudyIdentity& identity);
 
-/// The plan of one recorded row: its instance with this single run.
+/// Returns the plan of one recorded row: its instance with this single run.
 /// @throws InputError naming an unknown family, algorithm, parameter or option; as corpora_of if
 /// the graph is of a file.
 PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin = {});
 
-/// The drawing of a recorded row, drawn again. @throws InputError as plan_of_row.
+/// Returns the drawing of a recorded row, drawn again. @throws InputError as plan_of_row.
 Drawing redrawn(const RunRecord& row, const StudyOrigin& origin = {});
 
 /// Makes a recorded row again: generates, draws, certifies. differing_columns(row, replayed(row))
@@ -45,7 +45,7 @@ Drawing redrawn(const RunRecord& row, const StudyOrigin& origin = {});
 /// @throws InputError as plan_of_row.
 RunRecord replayed(const RunRecord& row, const StudyOrigin& origin = {});
 
-/// A row that was made again and did not come out the same.
+/// Describes a row that was made again and did not come out the same.
 struct IrreproducibleRow {
   std::size_t row = 0;  ///< place in Results::runs
   std::vector<std::string> columns;
@@ -57,8 +57,8 @@ struct SelfCheck {
   std::vector<IrreproducibleRow> irreproducible;
 };
 
-/// The places of `count` rows drawn at random without replacement, increasing; all if there are
-/// fewer. A function of the seed and the rows. Rows that no replay can reproduce (timeout,
+/// Returns the places of `count` rows drawn at random without replacement, increasing; all if there
+/// are fewer. A function of the seed and the rows. Rows that no replay can reproduce (timeout,
 /// out_of_memory, crashed) are not drawn.
 std::vector<std::size_t> sample_of_rows(const std::vector<RunRecord>& rows, std::size_t count,
                                         std::uint64_t seed);

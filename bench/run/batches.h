@@ -12,7 +12,7 @@
 
 namespace ar3d {
 
-/// A batch as it came out: its rows without verdict, in the order asked for.
+/// Describes a batch as it came out: its rows without verdict, in the order asked for.
 struct MadeBatch {
   double wall_s = 0;
   std::vector<RunRecord> rows;
@@ -28,12 +28,12 @@ class BatchDrawer {
   /// that were not drawn. Called by several threads at once.
   BatchDrawer(const StudyPlan& plan, int rank, std::function<bool()> stop);
 
-  /// The maker of the rows of an instance, whose graph is there.
+  /// Returns the maker of the rows of an instance, whose graph is there.
   /// @param place  of the instance in the plan.
   RowMaker& maker_for(std::size_t place);
 
-  /// Threads take the rows one by one, each thread on a core of its own if there are so many. The
-  /// wall time is from the first thread's start to the last one's end.
+  /// Returns threads take the rows one by one, each thread on a core of its own if there are so
+  /// many. The wall time is from the first thread's start to the last one's end.
   /// @param rows  places in the instance's runs; of one algorithm with the same options.
   /// @throws InputError if the system starts fewer threads.
   MadeBatch shared_by_threads(int threads, std::size_t place, const std::vector<std::size_t>& rows);
@@ -43,7 +43,7 @@ class BatchDrawer {
   /// (DoneAtOnce). @throws InternalError what went wrong on a rank.
   MadeBatch shared_by_ranks(Ranks& ranks, int count, std::size_t place,
                             const std::vector<std::size_t>& rows);
-  /// This rank's part of a batch.
+  /// Makes this rank's part of a batch.
   Work make_ready(const std::string& job);
 
  private:
@@ -55,8 +55,8 @@ class BatchDrawer {
   RowMaker maker_;            // prepared for it
 };
 
-/// The last phase of a study, strong and weak scaling. The ideal of a batch is the one on a single
-/// thread or rank of the same round: its time divided by how many share (strong) or its time
+/// Makes the last phase of a study, strong and weak scaling. The ideal of a batch is the one on a
+/// single thread or rank of the same round: its time divided by how many share (strong) or its time
 /// (weak).
 void run_batches(StudySession& session);
 

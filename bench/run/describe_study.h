@@ -8,7 +8,7 @@
 
 namespace ar3d {
 
-/// "2026-01-02T03:04:05.678901+00:00".
+/// Returns "2026-01-02T03:04:05.678901+00:00".
 std::string now_with_zone();
 
 /// Everything about a study's results but its rows: name, specification, source, environment, time.

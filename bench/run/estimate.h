@@ -9,8 +9,8 @@
 
 namespace ar3d {
 
-/// A cell: all rows of a family with parameters, at one size, by one algorithm with options at one
-/// level.
+/// Describes a cell: all rows of a family with parameters, at one size, by one algorithm with
+/// options at one level.
 struct CellEstimate {
   CurveKey curve;
   std::uint64_t n = 0;
@@ -45,11 +45,11 @@ struct StudyEstimate {
 /// @throws InputError naming a cell of which that is not enough.
 StudyEstimate estimate(const StudyPlan& plan, int threads);
 
-/// "616 GB": three digits and a decimal unit.
+/// Returns "616 GB": three digits and a decimal unit.
 std::string bytes_text(double bytes);
 
-/// Memory that this process may use in bytes: the machine's, or its control group's if that is
-/// less.
+/// Returns memory that this process may use in bytes: the machine's, or its control group's if that
+/// is less.
 double available_memory();
 
 /// @throws InputError naming the first cell that is impossible: estimated above the machine's

@@ -13,7 +13,7 @@ namespace ar3d {
 /// Gives out the next ticket, each once over all ranks; called by several threads at once.
 using Tickets = std::function<std::optional<std::size_t>()>;
 
-/// A job that was made ready.
+/// Describes a job that was made ready.
 struct Work {
   std::function<void()> run;          ///< what is timed
   std::function<std::string()> tell;  ///< what came out; called once `run` is done
@@ -21,7 +21,7 @@ struct Work {
 /// Makes a job ready: whatever is not to be timed.
 using MakeReady = std::function<Work(const std::string& job)>;
 
-/// A job that ranks have done at the same time.
+/// Describes a job that ranks have done at the same time.
 struct DoneAtOnce {
   double wall_s = 0;              ///< from the word to begin to the news that the last is done
   std::vector<std::string> told;  ///< rank by rank
@@ -30,9 +30,9 @@ struct DoneAtOnce {
 /// Says what a step came to on a rank.
 enum class StepResult { done, failed, journal_full };
 
-/// The processes that make one study together. This class is a process that is alone; the program
-/// for mpirun has another (apps/mpi/mpi_ranks.cpp). What several ranks do together, all of them
-/// have to call.
+/// Represents the processes that make one study together. This class is a process that is alone;
+/// the program for mpirun has another (apps/mpi/mpi_ranks.cpp). What several ranks do together, all
+/// of them have to call.
 class Ranks {
  public:
   virtual ~Ranks() = default;
@@ -40,7 +40,7 @@ class Ranks {
   virtual int size() const { return 1; }
   bool is_first() const { return rank() == 0; }
 
-  /// The text of rank 0.
+  /// Returns the text of rank 0.
   virtual std::string from_first(const std::string& text) { return text; }
   /// Returns what a step came to on the first rank that did not get it done, and in `why` what that
   /// rank says; else `done`. No rank returns before all have come.

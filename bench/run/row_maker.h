@@ -13,7 +13,7 @@
 
 namespace ar3d {
 
-/// Under what circumstances a maker's rows are made.
+/// Says under what circumstances a maker's rows are made.
 struct Circumstances {
   std::int64_t concurrency = 1;  ///< rows made at the same time, with this one
   std::int64_t core = -1;        ///< core that the thread is pinned to, if any
@@ -39,11 +39,11 @@ class RowMaker {
   /// Generates or reads the instance's graph. Where that fails, every row made until the next
   /// prepare() has its status and message.
   void prepare(const PlannedInstance& instance);
-  /// Null if it could not be generated.
+  /// Returns null if it could not be generated.
   const Graph* graph() const { return graph_ ? &*graph_ : nullptr; }
   /// Returns what is known of a run of the prepared instance before it is made.
   RunRecord begun(const PlannedRun& planned) const;
-  /// The row of a run of the prepared instance.
+  /// Returns the row of a run of the prepared instance.
   RunRecord make_row(const PlannedRun& planned, const RowRequest& request = {});
 
  private:
@@ -67,14 +67,14 @@ bool attempt(RunRecord& run, const std::function<void()>& step);
 Drawing timed_drawing(const Graph& graph, const AlgorithmChoice& choice, HardwareCounters& counters,
                       RunRecord& run);
 
-/// The row of a run without any result: what the plan knows of it.
+/// Returns the row of a run without any result: what the plan knows of it.
 RunRecord planned_row(const PlannedInstance& instance, const PlannedRun& planned);
 
 /// The row of a run that is not tried, because `failed`, a row of the same drawing, went wrong.
 RunRecord failed_row(const PlannedInstance& instance, const PlannedRun& planned,
                      const RunRecord& failed);
 
-/// True if a drawing came out, proved right or wrong.
+/// Returns true if a drawing came out, proved right or wrong.
 bool is_drawn(const RunRecord& run);
 
 /// Gives an uncertified row the verdict and the metrics of a certified one of the same drawing.

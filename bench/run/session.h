@@ -79,12 +79,12 @@ class RowSink {
   virtual ~RowSink() = default;
   /// False: it has no rows, and is not asked for one.
   virtual bool has_any() const { return false; }
-  /// True for a row that is not to be made. Called by several threads at once, as read() is.
+  /// Gives true for a row that is not to be made. Called by several threads at once, as read() is.
   virtual bool has(const std::string& row_key) const {
     (void)row_key;
     return false;
   }
-  /// A row that it has.
+  /// Returns a row that it has.
   virtual RunRecord read(const std::string& row_key) const;
   /// Takes a new row and its place in the plan, one call at a time. What it throws ends the session
   /// and is thrown again there.
@@ -93,7 +93,7 @@ class RowSink {
   virtual void note(const EnvironmentEntry&) {}
 };
 
-/// Why run_session came back.
+/// Tells why run_session came back.
 enum class SessionEnd { complete, stopped, budget_spent };
 
 /// Holds what all phases of one session share: which rows are wanted, where they go, when to stop.
@@ -106,22 +106,22 @@ class StudySession {
   const SessionPolicy& policy() const { return policy_; }
 
   bool wants(const PlannedRun& run) const { return !has_any_ || !sink_.has(run.row_key); }
-  /// The row of a run that is not wanted, since it is there.
+  /// Returns the row of a run that is not wanted, since it is there.
   RunRecord known(const PlannedRun& run) const { return sink_.read(run.row_key); }
 
   /// Hands a row on. Once that has failed, rows are lost: the session stops.
   void add(const PlannedRun& run, const RunRecord& row);
 
-  /// True once no further row is to begin: a signal asked for it (is_interrupted), the study's
-  /// budget is spent, or a row could not be handed on. Asked before every row and every drawing of
-  /// a batch.
+  /// Returns true once no further row is to begin: a signal asked for it (is_interrupted), the
+  /// study's budget is spent, or a row could not be handed on. Asked before every row and every
+  /// drawing of a batch.
   bool stopped() const;
 
   /// Returns how a drawing failed in the metrics phase, now or before; nothing if it can be drawn.
   /// Its rows of the other phases need not be tried.
   std::optional<RunRecord> failure(const PlannedInstance& instance, const PlannedRun& timed);
 
-  /// To be asked last. @throws what the sink threw.
+  /// Call it last. @throws what the sink threw.
   SessionEnd end();
 
  private:
@@ -141,7 +141,7 @@ class StudySession {
   std::atomic<bool> sink_failed_ = false;
 };
 
-/// One row to make. Two jobs of one instance in a row have the same `instance`.
+/// Describes one row to make. Two jobs of one instance in a row have the same `instance`.
 struct RowJob {
   std::size_t place = 0;  ///< of the instance in the plan
   std::shared_ptr<const PlannedInstance> instance;
@@ -156,7 +156,7 @@ class RowSource {
   virtual ~RowSource() = default;
   /// Returns the session whose rows these are.
   StudySession& session() const { return session_; }
-  /// The next row for the worker of that number; nothing: there is no more for it.
+  /// Returns the next row for the worker of that number; nothing: there is no more for it.
   virtual std::optional<RowJob> next(int worker) = 0;
   /// Takes a row that was handed out. What it throws ends the phase and is passed on.
   virtual void done(const RowJob& job, RunRecord row) = 0;
@@ -189,11 +189,11 @@ SessionEnd run_session(const StudyPlan& plan, const SessionPolicy& policy, RowSi
 /// from that of the second (of an even number the upper one). Infinite for fewer than two.
 double halves_difference(std::span<const double> values);
 
-/// The first phase of a study: every instance in one worker, its drawings certified, repetitions in
-/// the outer loop.
+/// Makes the first phase of a study: every instance in one worker, its drawings certified,
+/// repetitions in the outer loop.
 std::unique_ptr<RowSource> metrics_source(StudySession& session);
 
-/// The second phase of a study: round after round over all drawings, one repetition of each a
+/// Makes the second phase of a study: round after round over all drawings, one repetition of each a
 /// round, so that what disturbs the machine for a while disturbs all alike: of a row of this phase
 /// `repetition` is the round. Optional rounds are made until in 95 % of the drawings that have some
 /// left halves_difference() of their times (log_corrected_time) is at most the precision. The first

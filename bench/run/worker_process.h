@@ -13,7 +13,7 @@ struct WorkerEnd {
   std::string message;
 };
 
-/// A forked process that makes rows for its parent. It ends with this object.
+/// Represents a forked process that makes rows for its parent. It ends with this object.
 class WorkerProcess {
  public:
   /// @param plan  whose rows it will make, within its budget.
@@ -36,10 +36,10 @@ class WorkerProcess {
   News read_news();
   const RunRecord& row() const { return row_; }
 
-  /// CPU time of the process so far; the largest double once it has ended.
+  /// Returns CPU time of the process so far; the largest double once it has ended.
   double cpu_s() const;
 
-  /// The descriptor that becomes readable with news.
+  /// Returns the descriptor that becomes readable with news.
   int descriptor() const { return child_.socket(); }
 
   /// Returns how it ended, after is_gone.

@@ -38,11 +38,11 @@ struct HuntResult {
 HuntResult hunt(const Subject& subject, const RatioRule& rule, const HuntOptions& options,
                 const std::function<void(const HuntResult&)>& progress = {});
 
-/// All families of the catalogue whose graphs (of about n vertices) the algorithm draws.
+/// Returns all families of the catalogue whose graphs (of about n vertices) the algorithm draws.
 std::vector<FamilyChoice> fitting_families(const Algorithm& algorithm, std::uint64_t n);
 
-/// Two edges ab and cd become ac and bd, or ad and bc: the degrees stay. The same graph if no
-/// switch was found in a few tries. O(n + m).
+/// Switches two edges: ab and cd become ac and bd, or ad and bc: the degrees stay. The same graph
+/// if no switch was found in a few tries. O(n + m).
 Graph with_switched_edges(const Graph& graph, RandomStream& random);
 
 struct ShrinkResult {

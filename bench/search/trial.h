@@ -18,17 +18,17 @@ namespace ar3d {
 /// O(degree of u).
 bool has_edge(const Graph& graph, Vertex u, Vertex v);
 
-/// A fault put into finished drawings on purpose, to show that hunter, shrinker and verdict catch
-/// it. It shows on some graphs only, so that finding and shrinking it takes work. No algorithm
-/// knows of it.
+/// Describes a fault put into finished drawings on purpose, to show that hunter, shrinker and
+/// verdict catch it. It shows on some graphs only, so that finding and shrinking it takes work. No
+/// algorithm knows of it.
 struct SeededFault {
   std::string name;
   std::string summary;
-  /// The drawing with the fault; unchanged where the graph does not provoke it.
+  /// Returns the drawing with the fault; unchanged where the graph does not provoke it.
   Drawing (*plant)(const Graph&, const Drawing&, const Guarantee&) = nullptr;
 };
 
-/// All of them.
+/// Returns all of them.
 const std::vector<SeededFault>& seeded_faults();
 
 /// @throws InputError naming the unknown fault and the known ones.
@@ -50,13 +50,13 @@ struct RatioRule {
   Against against = Against::theorem;
 };
 
-/// One graph drawn and judged.
+/// Describes one graph drawn and judged.
 struct Trial {
   Graph graph;
   std::array<std::int64_t, 3> extents{};
   std::array<double, 3> bound{};
-  /// extent / bound; for volume the product of (extent + 1) / (bound + 1). 0 without a positive
-  /// bound.
+  /// Holds extent / bound; for volume the product of (extent + 1) / (bound + 1). 0 without a
+  /// positive bound.
   double ratio = 0;
   std::string
       failure;  ///< kind of the first violation, "internal_error", how a program failed, or empty

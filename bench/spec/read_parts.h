@@ -14,28 +14,28 @@
 
 namespace ar3d {
 
-/// The entries of the key `graphs` of a sweep: paths, patterns, or tables { file = …, … }. No file
-/// is looked at.
+/// Returns the entries of the key `graphs` of a sweep: paths, patterns, or tables { file = …, … }.
+/// No file is looked at.
 /// @throws InputError "file:line: message" on an unknown key or format or a value out of range.
 std::vector<GraphsEntry> read_graphs(const std::string& file, const toml::node& node);
 
 inline constexpr std::size_t kLongestGraphsName = 47;
 
-/// True if a study and its results can know graphs by this name: 1 to 47 letters, digits, '.', '-'
-/// and '_', of which the first is none of '.' and '-'.
+/// Returns true if a study and its results can know graphs by this name: 1 to 47 letters, digits,
+/// '.', '-' and '_', of which the first is none of '.' and '-'.
 bool is_graphs_name(const std::string& name);
-/// What the graphs of a file or folder are called: its name, cut where it is too long; what no name
-/// may have becomes '_', which also stands before the name of a family of the catalogue.
+/// Returns what the graphs of a file or folder are called: its name, cut where it is too long; what
+/// no name may have becomes '_', which also stands before the name of a family of the catalogue.
 std::string own_graphs_name(const std::string& path);
 
-/// Each reads the value of one key of a specification. @throws InputError "file:line: message".
+/// Reads the value of one key of a specification. @throws InputError "file:line: message".
 TimedRepetitions read_timed_repetitions(const std::string& file, const toml::node& node);
 BatchRules read_batches(const std::string& file, const toml::node& node, const std::string& what,
                         const std::string& sharers);
 TimingRules read_timing_rules(const std::string& file, const toml::node& node);
 Budget read_budget(const std::string& file, const toml::node& node);
 
-/// A program of a study's `[[algorithm]]`, with the values that its options take in turn.
+/// Describes a program of a study's `[[algorithm]]`, with the values that its options take in turn.
 struct ProgramEntry {
   std::shared_ptr<const ExternalAlgorithm> program;
   std::vector<std::pair<std::string, std::vector<std::int64_t>>> options;
@@ -45,13 +45,13 @@ struct ProgramEntry {
 /// name that an algorithm of the catalogue has, a command whose braces name no option.
 ProgramEntry read_program(const std::string& file, const toml::node& node);
 
-/// One integer setting of a family or an algorithm and the values that it takes in turn.
+/// Describes one integer setting of a family or an algorithm and the values that it takes in turn.
 struct SettingChoices {
   std::string name;
   std::vector<std::int64_t> values;
 };
 
-/// Every combination of the settings, the last one fastest.
+/// Returns every combination of the settings, the last one fastest.
 /// @throws InputError if there are more than 100,000.
 std::vector<Settings> combinations(const std::vector<SettingChoices>& settings);
 

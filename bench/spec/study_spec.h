@@ -44,7 +44,7 @@ struct TimingRules {
   bool write = false;             ///< time the formatting as JSON lines too
 };
 
-/// A limit that grows with the graph.
+/// Describes a limit that grows with the graph.
 struct LimitByVertices {
   double always = 0;
   double per_vertex = 0;  ///< more, for each vertex
@@ -70,19 +70,19 @@ enum class KeptDrawings : std::uint8_t {
   violated,  ///< those that were proved wrong
   all        ///< those of all rows that were drawn
 };
-/// "none", "worst", "violated", "all".
+/// Returns "none", "worst", "violated", "all".
 const char* to_string(KeptDrawings kept);
 /// @throws InputError naming the text and the choices if it is none of them.
 KeptDrawings parse_kept_drawings(std::string_view text);
 
-/// A family with complete parameters, or the graphs of a file.
+/// Describes a family with complete parameters, or the graphs of a file.
 struct FamilyChoice {
   const Family* family = nullptr;  ///< of the catalogue, or the corpus's own
   Settings parameters;
   std::shared_ptr<const NamedCorpus> corpus = {};  ///< null: a family of the catalogue
 };
 
-/// An algorithm with complete options, and how much of its drawings is stored.
+/// Describes an algorithm with complete options, and how much of its drawings is stored.
 struct AlgorithmChoice {
   const Algorithm* algorithm = nullptr;  ///< of the catalogue, or the program's row
   Settings options;
@@ -91,7 +91,7 @@ struct AlgorithmChoice {
   Level level = Level::extents;
 };
 
-/// Files whose graphs are instances.
+/// Describes files whose graphs are instances.
 struct GraphsEntry {
   std::string file;  ///< path or pattern (glob) of the specification; of a collection also a folder
   std::string name;  ///< empty: the file's own
@@ -152,7 +152,7 @@ struct StudySpec {
   std::shared_ptr<const HeldGraphs> held;  ///< and its graphs; null or without a family: not held
   bool grows = false;          ///< what files hold by now and the study does not is to be added
   double graphs_bytes = 64e6;  ///< graphs of files go into the results up to this size
-  /// Files that were opened, for all copies of this specification.
+  /// Holds files that were opened, for all copies of this specification.
   std::shared_ptr<CorpusShelf> shelf = std::make_shared<CorpusShelf>();
 };
 
@@ -165,11 +165,11 @@ StudySpec parse_study(const std::string& text, const std::string& file);
 /// StudySpec::accept_unproved of a specification, also where its sweeps cannot be read any more.
 bool accepts_unproved(const std::string& text);
 
-/// A named study, or else the TOML file at that path.
+/// Returns a named study, or else the TOML file at that path.
 /// @throws InputError naming the file, or the known studies if there is no such file.
 StudySpec load_study(const std::string& name_or_path);
 
-/// The specification of a study that has begun, with the files that it began with.
+/// Returns the specification of a study that has begun, with the files that it began with.
 /// @param file  that the identity stands in, for messages. @throws InputError as parse_study.
 StudySpec recorded_study(const StudyIdentity& identity, const std::string& file);
 
@@ -178,7 +178,7 @@ StudySpec recorded_study(const StudyIdentity& identity, const std::string& file)
 AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
                                  const Settings& options);
 
-/// Graphs of files to be drawn, as the command line has it.
+/// Describes graphs of files to be drawn, as the command line has it.
 struct GraphsStudy {
   std::vector<std::string> files;       ///< paths, patterns or folders, from the current one
   std::string name;                     ///< given: all files are one collection of this name
@@ -195,15 +195,15 @@ struct GraphsStudy {
   ReadOptions reading = {};  ///< of every file: format, base and first line
 };
 
-/// The name of every study that a GraphsStudy is short for.
+/// Holds the name of every study that a GraphsStudy is short for.
 inline constexpr const char* kGraphsStudy = "graphs";
-/// The specification that a GraphsStudy is short for.
+/// Returns the specification that a GraphsStudy is short for.
 std::string graphs_study_text(const GraphsStudy& study);
 
-/// "ar3d-<name>.h5".
+/// Returns "ar3d-<name>.h5".
 std::string default_results_path(const StudySpec& spec);
 
-/// A study that comes with the program, by name.
+/// Describes a study that comes with the program, by name.
 struct NamedStudy {
   std::string_view name;
   std::string_view description;  ///< one sentence
@@ -212,15 +212,15 @@ struct NamedStudy {
 
 std::span<const NamedStudy> named_studies();
 
-/// Null if there is none of that name.
+/// Returns null if there is none of that name.
 const NamedStudy* find_named_study(std::string_view name);
 
-/// The text of the specification, to be kept in another folder: the paths of `graphs` are absolute.
-/// A study without graphs of files keeps its text byte for byte.
+/// Returns the text of the specification, to be kept in another folder: the paths of `graphs` are
+/// absolute. A study without graphs of files keeps its text byte for byte.
 std::string movable_text(const StudySpec& spec);
 
-/// The same for one of many runs of the study, also by older programs: without `count`, and with at
-/// most `most_timed` timed repetitions.
+/// Returns the same for one of many runs of the study, also by older programs: without `count`, and
+/// with at most `most_timed` timed repetitions.
 std::string text_of_a_turn(const StudySpec& spec, std::int64_t most_timed);
 
 }  // namespace ar3d

@@ -35,7 +35,7 @@ class TomlTable {
   void refuse_all_but(std::vector<std::string_view> keys) const;
 
   bool has(const std::string& key) const { return table_->contains(key); }
-  /// The node of a key, or null; the key counts as known from now on.
+  /// Returns the node of a key, or null; the key counts as known from now on.
   const toml::node* find(const std::string& key);
   /// @throws InputError if the key is missing, naming one that looks like it.
   const toml::node& get(const std::string& key);
@@ -48,7 +48,7 @@ class TomlTable {
   double number(const std::string& key, double low, double high);
   bool boolean(const std::string& key, bool otherwise);
 
-  /// The keys that nobody has asked for yet, in order of name.
+  /// Returns the keys that nobody has asked for yet, in order of name.
   std::vector<std::string> other_keys() const;
 
   const toml::node& node() const { return *table_; }
@@ -62,7 +62,7 @@ class TomlTable {
   std::set<std::string> known_;
 };
 
-/// The nodes of an array, or the node itself if it is none.
+/// Returns the nodes of an array, or the node itself if it is none.
 std::vector<const toml::node*> one_or_many(const toml::node& node);
 
 std::string toml_text(const std::string& file, const toml::node& node, const std::string& what);

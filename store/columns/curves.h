@@ -20,20 +20,20 @@ struct CurveKey {
 };
 CurveKey curve_of(const RunRecord& run);
 
-/// "effort=1", "effort=1;level=full": the options and, if it is not extents, the level.
+/// Returns "effort=1", "effort=1;level=full": the options and, if it is not extents, the level.
 std::string options_and_level(const CurveKey& key);
 
-/// "diamond (effort=1;level=full)", "cubic (k=2)": names for people; empty options and parameters
-/// leave no brackets.
+/// Returns "diamond (effort=1;level=full)", "cubic (k=2)": names for people; empty options and
+/// parameters leave no brackets.
 std::string algorithm_label(const CurveKey& key);
 std::string family_label(const CurveKey& key);
 
-/// "diamond (effort=1) on cubic (k=2), n = 32, graph 3": what drew which graph of its family. n is
-/// the one asked for where there is none.
+/// Returns "diamond (effort=1) on cubic (k=2), n = 32, graph 3": what drew which graph of its
+/// family. n is the one asked for where there is none.
 std::string graph_label(const RunRecord& run);
 
-/// "diamond (effort=1) on cubic (k=2) n=300", on one line: what a cell is called, and how it is
-/// chosen on a command line. @param n  -1: all sizes.
+/// Returns "diamond (effort=1) on cubic (k=2) n=300", on one line: what a cell is called, and how
+/// it is chosen on a command line. @param n  -1: all sizes.
 std::string cell_label(const CurveKey& key, std::int64_t n);
 
 }  // namespace ar3d

@@ -12,7 +12,7 @@
 
 namespace ar3d {
 
-/// The 128-bit identity of a row: its 32 hexadecimal digits as two numbers.
+/// Describes the 128-bit identity of a row: its 32 hexadecimal digits as two numbers.
 struct RowKey {
   std::uint64_t high = 0;
   std::uint64_t low = 0;
@@ -30,8 +30,8 @@ struct RowFormat {
   std::size_t key = 0;      ///< 32 hexadecimal digits that tell rows apart; the first field
   std::size_t status = 0;   ///< a text; rows with another one than "ok" are counted
   std::size_t session = 0;  ///< int64: which session made the row
-  /// A table that follows from the rows: for every value of the fields `extract_key` of a row one
-  /// record, made of the fields `extract_fields` of the first row that has it.
+  /// Holds a table that follows from the rows: for every value of the fields `extract_key` of a row
+  /// one record, made of the fields `extract_fields` of the first row that has it.
   TableSpec extract;
   std::vector<std::size_t> extract_fields, extract_key;
   std::vector<TableSpec> tables;  ///< small tables that stand beside the rows
@@ -39,10 +39,10 @@ struct RowFormat {
   std::size_t record_size() const { return ar3d::record_size(rows.fields); }
 };
 
-/// The key of a record. @throws InputError as parse_row_key.
+/// Returns the key of a record. @throws InputError as parse_row_key.
 RowKey key_of_record(const RowFormat& format, const char* record);
 
-/// Rows that are made or fetched one at a time; `read` writes record i.
+/// Describes rows that are made or fetched one at a time; `read` writes record i.
 struct RecordSource {
   std::size_t count = 0;
   std::function<void(std::size_t i, char* record)> read;

@@ -18,9 +18,9 @@ enum class ColumnKind {
   measured,  ///< times and memory: differ from run to run
 };
 
-/// One column of /runs: the single description from which the file, its reader, comparisons and the
-/// schema page are made. Columns stand in the order of their bytes in a record. Name, unit and
-/// meaning of a metric are those of its row in verify/metrics/metrics.h.
+/// Describes one column of /runs: the single description from which the file, its reader,
+/// comparisons and the schema page are made. Columns stand in the order of their bytes in a record.
+/// Name, unit and meaning of a metric are those of its row in verify/metrics/metrics.h.
 struct Column : Field {
   ColumnKind kind = ColumnKind::result;
   std::function<void(const RunRecord&, char*)> store;  ///< writes `size` bytes
@@ -28,14 +28,14 @@ struct Column : Field {
   std::string RunRecord::*exact_text = nullptr;  ///< a text that is refused, not cut, if too long
 };
 
-/// All columns of /runs.
+/// Returns all columns of /runs.
 const std::vector<Column>& run_columns();
 
-/// The column of that name. @throws InternalError if there is none.
+/// Returns the column of that name. @throws InternalError if there is none.
 const Column& run_column(std::string_view name);
 
-/// Bytes of a record: a row as its columns' bytes, one after the other. Records are what journals
-/// and results files hold and what merging moves around.
+/// Returns bytes of a record: a row as its columns' bytes, one after the other. Records are what
+/// journals and results files hold and what merging moves around.
 std::size_t run_record_size();
 
 /// @throws InputError if an identifying text does not fit its column.
@@ -45,17 +45,17 @@ void require_storable(const RunRecord& run);
 void store_record(const RunRecord& run, char* record);
 RunRecord load_record(const char* record);
 
-/// The columns of that kind, in the same order. `offset` is their place in a record of /runs.
+/// Gives the columns of that kind, in the same order. `offset` is their place in a record of /runs.
 std::vector<Column> columns_of_kind(ColumnKind kind);
 
 /// Takes over the metrics of a drawing: all of them, in one go.
 void set_metrics(const DrawingSummary& summary, RunRecord& run);
 
-/// The value for people and CSV files: text, a decimal integer, or the shortest decimal that reads
-/// back to the same double; "nan" if missing.
+/// Returns the value for people and CSV files: text, a decimal integer, or the shortest decimal
+/// that reads back to the same double; "nan" if missing.
 std::string column_text(const Column& column, const RunRecord& run);
 
-/// The value of a column of type int64 or float64; missing if it is -1 or NaN.
+/// Returns the value of a column of type int64 or float64; missing if it is -1 or NaN.
 double column_number(const Column& column, const RunRecord& run);
 
 /// Names of the columns that are not measured and differ in their bits. Empty: the same result.

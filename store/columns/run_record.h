@@ -23,7 +23,7 @@ enum class RunStatus : std::uint8_t {
   crashed,        ///< an invariant broke, the process died, an answer was no drawing
   measured        ///< drawn and measured; nothing was promised, so nothing was judged
 };
-/// "ok", "timeout", "out_of_memory", "refused", "violated", "crashed", "measured".
+/// Returns "ok", "timeout", "out_of_memory", "refused", "violated", "crashed", "measured".
 const char* to_string(RunStatus status);
 /// @throws InputError naming the text if it is no status.
 RunStatus parse_run_status(std::string_view text);
@@ -32,7 +32,7 @@ RunStatus parse_run_status(std::string_view text);
 /// workers; timing: alone on a core of its own; strong, weak: one of a batch of equal drawings
 /// that several threads share; strong_ranks, weak_ranks: that several ranks share.
 enum class RunPhase : std::uint8_t { metrics, timing, strong, weak, strong_ranks, weak_ranks };
-/// "metrics", "timing", "strong", "weak", "strong_r", "weak_r".
+/// Returns "metrics", "timing", "strong", "weak", "strong_r", "weak_r".
 const char* to_string(RunPhase phase);
 /// Returns whether its rows are drawn in batches; whether these are of one size, however many share
 /// them; whether ranks share them, not threads.
@@ -48,9 +48,9 @@ RunPhase parse_run_phase(std::string_view text);
 /// that does not, and arithmetic without memory.
 inline constexpr std::array kYardsticks = {"cached", "memory", "arithmetic"};
 
-/// One row of /runs: instance x algorithm x options x repetition. Times in seconds, memory in
-/// bytes, lengths and extents in lattice units. Missing integers are -1, missing floats NaN; never
-/// 0.
+/// Describes one row of /runs: instance x algorithm x options x repetition. Times in seconds,
+/// memory in bytes, lengths and extents in lattice units. Missing integers are -1, missing floats
+/// NaN; never 0.
 struct RunRecord {
   std::string row_key;  ///< 32 hexadecimal digits: identity of (study, instance, algorithm,
                         ///< options, repetition)
@@ -96,7 +96,7 @@ struct RunRecord {
   // What follows from algorithm, options and n; see set_bounds(). No columns of /runs.
   std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
   std::array<double, 3> slack{kMissing, kMissing, kMissing};  ///< 1 - extent / theorem_bound
-  /// The bound of somebody else, for comparison only; missing if there is none.
+  /// Holds the bound of somebody else, for comparison only; missing if there is none.
   std::array<double, 3> published_bound{kMissing, kMissing, kMissing};
 
   // Measured.
@@ -109,7 +109,7 @@ struct RunRecord {
   std::int64_t concurrency = -1;  ///< rows that this study makes at the same time
   std::int64_t core = -1;         ///< core that the row was pinned to
   std::int64_t warm_ups = -1;     ///< drawings of the same graph just before, thrown away
-  /// CPU times of yardsticks near the row, which tell how fast the machine was: kYardsticks.
+  /// Holds CPU times of yardsticks near the row, which tell how fast the machine was: kYardsticks.
   std::array<double, 3> yardsticks_s{kMissing, kMissing, kMissing};
   std::string build_kind;          ///< why its times are worth little: "debug", "sanitised"
   std::int64_t instructions = -1;  ///< drawing only, by hardware counters, user space
@@ -127,8 +127,8 @@ struct RunRecord {
   std::int64_t session = -1;        ///< which of the /environments it was made in
 };
 
-/// The time of drawing that is judged: CPU time of the thread, since other processes lengthen only
-/// the wall time by taking turns with it; wall time where the CPU time is missing.
+/// Returns the time of drawing that is judged: CPU time of the thread, since other processes
+/// lengthen only the wall time by taking turns with it; wall time where the CPU time is missing.
 inline double drawing_time_s(const RunRecord& run) {
   return run.cpu_s > 0 ? run.cpu_s : run.wall_s;
 }

@@ -12,29 +12,29 @@
 
 namespace ar3d {
 
-/// A record of /algorithms: what follows from algorithm and options for every input.
+/// Describes a record of /algorithms: what follows from algorithm and options for every input.
 struct AlgorithmRecord {
   std::string algorithm;
   std::string options;  ///< "effort=1", complete and in catalogue order
   SizeBound theorem;
   std::optional<SizeBound> published;  ///< of others, for comparison only
 
-  /// The exponent of n in the product of the theorem's three bounds: 3/2 for sqrt(n) per side, 3
-  /// for n a side.
+  /// Returns the exponent of n in the product of the theorem's three bounds: 3/2 for sqrt(n) per
+  /// side, 3 for n a side.
   double volume_order() const;
 };
 
-/// The name and the fields of /algorithms.
+/// Returns the name and the fields of /algorithms.
 const TableSpec& algorithms_spec();
 
-/// The table of these records. @throws InputError if a text does not fit its field.
+/// Returns the table of these records. @throws InputError if a text does not fit its field.
 StoredTable algorithm_table(const std::vector<AlgorithmRecord>& records);
 
-/// The records of /algorithms of a study; none if it has no such table.
+/// Returns the records of /algorithms of a study; none if it has no such table.
 /// @throws InputError naming the column if a bound is none.
 std::vector<AlgorithmRecord> algorithm_records(const StudyIdentity& identity);
 
-/// The record of a run's algorithm and options; null if there is none.
+/// Returns the record of a run's algorithm and options; null if there is none.
 const AlgorithmRecord* find_algorithm_record(const std::vector<AlgorithmRecord>& records,
                                              std::string_view algorithm, std::string_view options);
 
@@ -45,7 +45,7 @@ void set_bounds(const AlgorithmRecord* record, RunRecord& run);
 /// The same with the bounds themselves; each may be null.
 void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord& run);
 
-/// A record of /graph_files: a file, or a collection of files, whose graphs are instances.
+/// Is a record of /graph_files: a file, or a collection of files, whose graphs are instances.
 struct GraphFileRecord {
   std::string name;          ///< the family of its rows
   std::int64_t entry = 0;    ///< which entry of the specification's `graphs` it is of, from 0
@@ -55,21 +55,21 @@ struct GraphFileRecord {
   std::string groups = {};  ///< absolute path of a collection's table of groups, if it has one
 };
 
-/// A record of /skipped_files: a file of a collection that could not be read.
+/// Describes a record of /skipped_files: a file of a collection that could not be read.
 struct SkippedFile {
   std::string name;  ///< of the collection
   std::string file;  ///< within it
   std::string reason;
 };
 
-/// The name and the fields of /skipped_files.
+/// Returns the name and the fields of /skipped_files.
 const TableSpec& skipped_files_spec();
-/// The table of these records; what is too long is cut.
+/// Returns the table of these records; what is too long is cut.
 StoredTable skipped_file_table(const std::vector<SkippedFile>& records);
-/// The records of /skipped_files of a study; none if it has no such table.
+/// Returns the records of /skipped_files of a study; none if it has no such table.
 std::vector<SkippedFile> skipped_file_records(const StudyIdentity& identity);
 
-/// A record of /collected_files: a file whose graphs are instances, as it was read.
+/// Describes a record of /collected_files: a file whose graphs are instances, as it was read.
 struct CollectedFile {
   std::string name;         ///< family of its rows
   std::string file;         ///< path within the collection; empty: the file of /graph_files itself
@@ -78,7 +78,7 @@ struct CollectedFile {
   std::int64_t first = 0;   ///< place of its first graph among those of its family
   std::int64_t graphs = 0;  ///< in it
 };
-/// The name and the fields of /collected_files; the table of these records; those of a study.
+/// Gives the name and the fields of /collected_files; the table of these records; those of a study.
 const TableSpec& collected_files_spec();
 StoredTable collected_file_table(const std::vector<CollectedFile>& records);
 std::vector<CollectedFile> collected_file_records(const StudyIdentity& identity);
@@ -89,7 +89,7 @@ struct FileCounts {
 };
 FileCounts file_counts(const StudyIdentity& identity);
 
-/// The graphs that results hold: by family and place a line of sparse6 without its end.
+/// Describes the graphs that results hold: by family and place a line of sparse6 without its end.
 using HeldGraphs = std::map<std::string, std::map<std::uint32_t, std::string>>;
 /// The name and the fields of /graphs; the table of these graphs, each text once; those of a study.
 /// @throws InputError if the table is none of graphs.
@@ -97,14 +97,14 @@ const TableSpec& graphs_spec();
 StoredTable graphs_table(const HeldGraphs& graphs);
 HeldGraphs held_graphs(const StudyIdentity& identity);
 
-/// The name and the fields of /graph_files.
+/// Returns the name and the fields of /graph_files.
 const TableSpec& graph_files_spec();
 
-/// The table of these records. @throws InputError if a path is longer than 1024 bytes (each that is
-/// no printable ASCII counts three).
+/// Returns the table of these records. @throws InputError if a path is longer than 1024 bytes (each
+/// that is no printable ASCII counts three).
 StoredTable graph_file_table(const std::vector<GraphFileRecord>& records);
 
-/// The records of /graph_files of a study; none if it has no such table.
+/// Returns the records of /graph_files of a study; none if it has no such table.
 std::vector<GraphFileRecord> graph_file_records(const StudyIdentity& identity);
 
 }  // namespace ar3d

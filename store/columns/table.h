@@ -8,7 +8,7 @@ namespace ar3d {
 
 enum class FieldType { text, int64, uint64, float64 };
 
-/// One fixed-size field of a table's record.
+/// Describes one fixed-size field of a table's record.
 struct Field {
   std::string name;     ///< snake_case, with the unit as suffix where there is one
   std::string unit;     ///< "s", "bytes", "lattice units", "1" for a pure number, "" for text
@@ -22,7 +22,7 @@ struct Field {
 /// Writes what stands for no value: -1, NaN, 0 (uint64) or an empty text.
 void store_missing(const Field& field, char* to);
 
-/// The text of a text field of a record.
+/// Returns the text of a text field of a record.
 std::string text_of(const Field& field, const char* record);
 
 /// `text` as a field holds it: printable UTF-8 of at most `size` bytes, what is none replaced by
@@ -39,20 +39,20 @@ void pack_fields(std::vector<FieldLike>& fields) {
   }
 }
 
-/// Bytes of a packed record.
+/// Returns bytes of a packed record.
 template <class FieldLike>
 std::size_t record_size(const std::vector<FieldLike>& fields) {
   return fields.empty() ? 0 : fields.back().offset + fields.back().size;
 }
 
-/// A table as it is stored: what its records are made of.
+/// Describes a table as it is stored: what its records are made of.
 struct TableSpec {
   std::string name;
   std::string title;
   std::vector<Field> fields;  ///< packed
 };
 
-/// A small table with its records, one after the other.
+/// Describes a small table with its records, one after the other.
 struct StoredTable {
   TableSpec spec;
   std::vector<char> records;

@@ -74,12 +74,12 @@ void write_attribute(hid_t object, const std::string& name, long long value);
 std::string read_text_attribute(hid_t object, const std::string& name);
 long long read_integer_attribute(hid_t object, const std::string& name);
 
-/// A fixed-size, null-padded string type of `size` >= 1 bytes.
+/// Returns a fixed-size, null-padded string type of `size` >= 1 bytes.
 Hdf5Handle text_type(std::size_t size, H5T_cset_t charset);
 
-/// An HDF5 file that goes into an open, empty, readable and writable file. HDF5 never sees a write
-/// fail: it would not give the file up. The first failure is kept here instead, what comes after it
-/// is dropped.
+/// Represents an HDF5 file that goes into an open, empty, readable and writable file. HDF5 never
+/// sees a write fail: it would not give the file up. The first failure is kept here instead, what
+/// comes after it is dropped.
 class Hdf5Output {
  public:
   /// @param descriptor  is duplicated.

@@ -23,7 +23,7 @@ inline constexpr std::uint64_t kMostRecordsPerByte = 1100;
 /// storage, other filters, or chunks of more than 64 MiB.
 Hdf5Handle open_own_dataset(hid_t file, const std::string& name);
 
-/// A new table that grows record by record. Memory: a few hundred records.
+/// Represents a new table that grows record by record. Memory: a few hundred records.
 class TableWriter {
  public:
   /// @throws Hdf5Error
@@ -48,7 +48,7 @@ class TableWriter {
 void write_table(hid_t file, const TableSpec& table, std::size_t count,
                  const std::function<void(std::size_t i, char* record)>& store);
 
-/// A table of an open file, read by record number. Memory: a chunk of records.
+/// Represents a table of an open file, read by record number. Memory: a chunk of records.
 class TableReader {
  public:
   /// Fields are found by name; fields of the file that are not asked for are ignored, those that
@@ -58,8 +58,8 @@ class TableReader {
   /// the file itself, and with no more records than `file_bytes` can hold.
   TableReader(hid_t file, const TableSpec& table, std::uint64_t file_bytes);
   std::size_t size() const { return size_; }
-  /// Record i, laid out as table.fields; valid until the next call. Cheap if i is near the one
-  /// before. @throws Hdf5Error
+  /// Returns record i, laid out as table.fields; valid until the next call. Cheap if i is near the
+  /// one before. @throws Hdf5Error
   const char* read(std::size_t i);
 
  private:
@@ -83,7 +83,7 @@ void read_table(hid_t file, const TableSpec& table, std::uint64_t file_bytes,
 /// Is there a table of that name? @throws Hdf5Error if the name leads out of the file.
 bool has_table(hid_t file, const std::string& name);
 
-/// Size in bytes of a text field of a table in the file.
+/// Returns the size in bytes of a text field of a table in the file.
 std::size_t stored_text_size(hid_t file, const std::string& table, const std::string& field);
 
 }  // namespace ar3d

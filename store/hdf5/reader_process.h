@@ -10,8 +10,8 @@
 
 namespace ar3d {
 
-/// A child process that reads a file whose bytes may crash or hang who reads them, and answers
-/// questions about it. It ends with this object, or with this process.
+/// Represents a child process that reads a file whose bytes may crash or hang who reads them, and
+/// answers questions about it. It ends with this object, or with this process.
 class ReaderProcess {
  public:
   /// Gives the answer to a question, in the child.
@@ -24,8 +24,8 @@ class ReaderProcess {
   ReaderProcess(std::string path, const Descriptor& file, const Answers& answers,
                 double limit_s = 60);
 
-  /// The answer, valid until the next question. @throws InputError with the message of what the
-  /// child has thrown, or naming the file and how the child has ended: by a signal, or since it
+  /// Returns the answer, valid until the next question. @throws InputError with the message of what
+  /// the child has thrown, or naming the file and how the child has ended: by a signal, or since it
   /// needed more than 20 s of CPU time or the limit.
   const std::string& ask(std::uint64_t question);
 

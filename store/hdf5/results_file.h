@@ -9,10 +9,10 @@
 
 namespace ar3d {
 
-/// A results file, read row by row. Memory: a few hundred rows, however many there are.
-///
-/// The file's checksum is verified before HDF5 sees the file, and HDF5 sees it in a process of its
-/// own, so that nothing that another program has written can crash or hang this one. The page
+/// Represents a results file, read row by row. Memory: a few hundred rows, however many there
+/// are.
+///  The file's checksum is verified before HDF5 sees the file, and HDF5 sees it in a process of
+/// its own, so that nothing that another program has written can crash or hang this one. The page
 /// results/SCHEMA.md describes the file.
 class ResultsReader {
  public:
@@ -28,8 +28,8 @@ class ResultsReader {
   const StudyIdentity& identity() const { return identity_; }
   const std::vector<EnvironmentEntry>& environment() const { return environment_; }
   std::size_t size() const;
-  /// Record i in the layout of the format, valid until the next call; cheap if i is near the one
-  /// before. What the file has no column for is missing: -1, NaN or empty.
+  /// Returns record i in the layout of the format, valid until the next call; cheap if i is near
+  /// the one before. What the file has no column for is missing: -1, NaN or empty.
   /// @throws InputError naming the file.
   const char* read(std::size_t i);
 
@@ -46,7 +46,7 @@ class ResultsReader {
 void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
                    const RowFormat& format, const RecordSource& rows, const std::string& path);
 
-/// Version of the HDF5 library in use, "1.10.8".
+/// Returns the version of the HDF5 library in use, "1.10.8".
 std::string hdf5_version();
 
 }  // namespace ar3d

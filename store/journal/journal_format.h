@@ -20,7 +20,7 @@ inline constexpr std::string_view kRecordStart = R"({"rows":)";
 inline constexpr std::string_view kJournalStart =
     R"({"rows":0,"not_ok":0,"ar3d_journal":{"version":3,)";
 
-/// True of the first bytes of a journal, also of one of an older version.
+/// Returns true of the first bytes of a journal, also of one of an older version.
 bool begins_as_journal(std::string_view bytes);
 
 /// By the key of their content in the line: ar3d_journal, session, row, session_end.
@@ -44,10 +44,10 @@ struct JournalRecord {
 void frame_record(const JournalHead& head, std::string_view payload, std::uint64_t offset,
                   std::string& line);
 
-/// The record of a line that ends with a newline; none if it is not whole.
+/// Returns the record of a line that ends with a newline; none if it is not whole.
 std::optional<JournalRecord> parse_line(std::string_view line, std::uint64_t offset);
 
-/// True if the bytes are the beginning of one record, or all of it but the newline.
+/// Returns true if the bytes are the beginning of one record, or all of it but the newline.
 bool is_cut_short(std::string_view bytes);
 
 /// Calls `visit` for every record, to the first that is not whole or for which it returns false.
@@ -67,10 +67,10 @@ void write_row(const RowFormat& format, const char* record, std::string& json);
 /// @throws InputError naming `path` and the field if the text is no row of that format.
 void parse_row(const RowFormat& format, std::string_view json, const std::string& path,
                char* record);
-/// The key of a row without a look at the rest of it. @throws InputError
+/// Returns the key of a row without a look at the rest of it. @throws InputError
 RowKey key_of_row(const RowFormat& format, std::string_view json);
 
-/// The study's identity with its tables, and the columns that the rows have, as JSON.
+/// Returns the study's identity with its tables, and the columns that the rows have, as JSON.
 std::string identity_text(const StudyIdentity& identity, const RowFormat& format);
 /// @throws InputError naming `path` if it is not the identity of a study with the format's columns.
 StudyIdentity parse_identity(std::string_view text, const RowFormat& format,

@@ -21,8 +21,8 @@ struct JournalStatus {
 /// journal is written. @throws InputError if it cannot be read or is no journal.
 JournalStatus journal_status(const std::string& path, const RowFormat& format);
 
-/// A journal's rows in the order in which they were made; may be written meanwhile: what is whole
-/// when it is opened counts. Memory: 32 bytes per row.
+/// Represents a journal's rows in the order in which they were made; may be written meanwhile: what
+/// is whole when it is opened counts. Memory: 32 bytes per row.
 class JournalReader {
  public:
   /// @param format  outlives the reader.

@@ -16,8 +16,8 @@
 
 namespace ar3d {
 
-/// The journal cannot take another row (the disk is full, say, or another process appends to it
-/// where the file system keeps no locks). It is whole; the study can go on later.
+/// Says that the journal cannot take another row (the disk is full, say, or another process appends
+/// to it where the file system keeps no locks). It is whole; the study can go on later.
 class JournalFull : public InputError {
  public:
   using InputError::InputError;
@@ -47,21 +47,21 @@ class JournalWriter {
   /// Writes what is known only at the end of the session, such as the load.
   void end_session(const std::vector<EnvironmentEntry>& environment);
 
-  /// A row of this session; `store` writes its record. One call at a time.
+  /// Appends a row of this session; `store` writes its record. One call at a time.
   /// @throws JournalFull: the row is not in the journal, all before it are.
   void append(const std::function<void(char* record)>& store);
 
-  /// A record as it is; its session counts this journal's, from 0.
+  /// Appends a record as it is; its session counts this journal's, from 0.
   void append_record(const char* record);
 
   /// Everything appended is on the disk. @throws JournalFull
   void sync();
 
   std::uint64_t rows() const { return head_.rows; }
-  /// Bytes of an unfinished record that opening the journal cut off.
+  /// Returns bytes of an unfinished record that opening the journal cut off.
   std::uint64_t bytes_cut() const { return bytes_cut_; }
-  /// The file beside the journal that they are kept in; empty if they were the beginning of one
-  /// record, which a crash leaves behind and nobody has acknowledged.
+  /// Returns the file beside the journal that they are kept in; empty if they were the beginning of
+  /// one record, which a crash leaves behind and nobody has acknowledged.
   const std::string& cut_file() const { return cut_file_; }
 
  private:
