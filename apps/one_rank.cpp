@@ -10,9 +10,8 @@
 namespace ar3d {
 
 std::unique_ptr<Ranks> join_ranks() {
-  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "MPI_LOCALNRANKS"}) {
-    const char* const ranks = std::getenv(variable);
-    if (ranks == nullptr || std::atoi(ranks) < 2) continue;
+  const char* const ranks = std::getenv("OMPI_COMM_WORLD_SIZE");
+  if (ranks != nullptr && std::atoi(ranks) > 1) {
     throw InputError(fmt::format(
         "mpirun started {} of this program, which knows nothing of the others: ar3d-mpi shares the "
         "rows",

@@ -10,6 +10,7 @@
 
 #include "ar3d/analysis/report/sections.h"
 #include "ar3d/analysis/statistics.h"
+#include "ar3d/base/natural_order.h"
 
 namespace ar3d::report {
 namespace {
@@ -50,23 +51,6 @@ struct CollectionMeasure {
 
   double value(double log10) const { return std::pow(10, log10) - (is_count ? 1 : 0); }
 };
-
-/// One metric of the table; missing if the row has none.
-double metric_of(const DrawnGraph& graph, std::string_view name) {
-  const auto at = std::ranges::find(metrics(), name, &Metric::name);
-  const auto place = static_cast<std::size_t>(at - metrics().begin());
-  return place < graph.metrics.size() ? graph.metrics[place] : kMissing;
-}
-double log10_metric(const DrawnGraph& graph, std::string_view name) {
-  return decimal(log_positive(metric_of(graph, name)));
-}
-double bends_of(const DrawnGraph& graph) {
-  double bends = 0;
-  for (int of_edge = 1; of_edge < 8; ++of_edge) {
-    bends += of_edge * metric_of(graph, "bends_" + std::to_string(of_edge));
-  }
-  return bends;
-}
 
 const std::vector<CollectionMeasure>& measures() {
   static const std::vector<CollectionMeasure> all = {
@@ -174,36 +158,6 @@ void for_each_pair(const Collection& collection, const Use& use) {
     for (std::size_t b = a + 1; b < settings; ++b) use(a, b);
   }
 }
-
-/// C2 before C10: runs of digits are compared as numbers.
-struct AsPeopleSort {
-  bool operator()(std::string_view a, std::string_view b) const {
-    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    const std::string_view all_a = a, all_b = b;
-    while (!a.empty() && !b.empty()) {
-      if (is_digit(a[0]) && is_digit(b[0])) {
-        const std::string_view one = number_at(a), other = number_at(b);
-        if (one.size() != other.size()) return one.size() < other.size();
-        if (one != other) return one < other;
-        continue;
-      }
-      if (a[0] != b[0]) return a < b;  // by bytes without a sign
-      a.remove_prefix(1);
-      b.remove_prefix(1);
-    }
-    return a.empty() != b.empty() ? a.empty() : all_a < all_b;
-  }
-
- private:
-  /// Takes the digits away; those behind leading zeros.
-  static std::string_view number_at(std::string_view& text) {
-    const std::size_t end = std::min(text.find_first_not_of("0123456789"), text.size());
-    std::string_view digits = text.substr(0, end);
-    text.remove_prefix(end);
-    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
-    return digits;
-  }
-};
 
 struct CollectionTables {
   Table collections{"collections",

@@ -215,6 +215,22 @@ Interval told_interval(const ScalingEntry& entry) {
 }
 
 double log10_of(std::int64_t n) { return std::log10(static_cast<double>(n)); }
+double metric_of(const DrawnGraph& graph, std::string_view name) {
+  const auto at = std::ranges::find(metrics(), name, &Metric::name);
+  const auto place = static_cast<std::size_t>(at - metrics().begin());
+  return place < graph.metrics.size() ? graph.metrics[place] : kMissing;
+}
+double log10_metric(const DrawnGraph& graph, std::string_view name) {
+  return decimal(log_positive(metric_of(graph, name)));
+}
+double bends_of(const DrawnGraph& graph) {
+  double bends = 0;
+  for (int of_edge = 1; of_edge < 8; ++of_edge) {
+    bends += of_edge * metric_of(graph, "bends_" + std::to_string(of_edge));
+  }
+  return bends;
+}
+
 double decimal(double natural_log) { return natural_log / std::numbers::ln10; }
 
 std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t most) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ar3d/analysis/report.h"
@@ -159,6 +160,10 @@ std::vector<PairedGraph> paired_graphs(const ComparedSetting& one, const Compare
 double log10_of(std::int64_t n);
 /// Returns the decimal logarithm of a natural one.
 double decimal(double natural_log);
+/// Returns one metric of the table, its decimal logarithm, and the bends of all edges; NaN: missing.
+double metric_of(const DrawnGraph& graph, std::string_view name);
+double log10_metric(const DrawnGraph& graph, std::string_view name);
+double bends_of(const DrawnGraph& graph);
 
 /// Sizes that stand together.
 struct SizeBin {

@@ -59,6 +59,7 @@ struct CorpusFile {
 /// Says how files differ from those that a corpus holds: what they hold by now is added.
 struct CorpusGrowth {
   std::vector<std::string> added, changed, gone;
+  bool has_new() const { return !added.empty() || !changed.empty(); }
 };
 
 /// Holds how the graphs of files are taken into a study.

@@ -61,11 +61,9 @@ void copy_rows(const JournaledStudy& study, const RowCollection& rows, JournalWr
   journal.sync();
 }
 
-// Does it have files that its journals know nothing of?
 bool has_grown(const StudySpec& spec) {
   return spec.grows && std::ranges::any_of(corpora_of(spec), [](const StudyCorpus& corpus) {
-           const CorpusGrowth& growth = corpus.corpus->graphs->growth();
-           return !growth.added.empty() || !growth.changed.empty();
+           return corpus.corpus->graphs->growth().has_new();
          });
 }
 

@@ -1,0 +1,169 @@
+// Lists the files of collections: patterns, folders, and the groups that a table gives. What no row
+// can hold is said of its file, so that it can be skipped.
+#include "ar3d/bench/plan/collected_files.h"
+
+#include <fmt/format.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
+#include "ar3d/formats/text/tokens.h"
+
+namespace ar3d {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder's files and those of its sub-folders; what begins with a dot is left out, and links to
+// folders are not followed.
+void add_folder(const std::string& folder, std::vector<std::string>& files) {
+  fs::recursive_directory_iterator at(folder);
+  for (; at != fs::recursive_directory_iterator(); ++at) {
+    const bool is_hidden = at->path().filename().string().starts_with('.');
+    if (is_hidden) at.disable_recursion_pending();
+    std::error_code ignored;  // a link that leads nowhere is refused where it is to be read
+    if (!is_hidden && !at->is_directory(ignored)) files.push_back(at->path().string());
+  }
+}
+
+// The folder that the names of a collection's files begin behind.
+fs::path base_of(const std::string& path) {
+  const std::size_t wildcard = path.find_first_of("*?[");
+  std::error_code ignored;
+  if (wildcard == std::string::npos || fs::exists(path, ignored)) {
+    return fs::is_directory(path, ignored) ? fs::path(path) : fs::path(path).parent_path();
+  }
+  return path.substr(0, path.rfind('/', wildcard));
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
+}
+
+// A table "FILE,GROUP": a tab, else the last comma, else the last blank is between them.
+std::map<std::string, std::string, std::less<>> read_groups(const std::string& path) {
+  std::map<std::string, std::string, std::less<>> groups;
+  TextInput input(path);
+  while (const std::optional<std::string_view> line = input.next_line()) {
+    const std::string_view text = trimmed(*line);
+    if (text.empty() || is_comment(text)) continue;
+    std::size_t between = text.find('\t');
+    if (between == std::string_view::npos) between = text.rfind(',');
+    if (between == std::string_view::npos) between = text.rfind(' ');
+    if (between == std::string_view::npos) {
+      input.fail(0, fmt::format("{} is no line 'FILE,GROUP'", shown(text)));
+    }
+    const std::string file(trimmed(text.substr(0, between)));
+    const std::string group(trimmed(text.substr(between + 1)));
+    if (groups.try_emplace(file, group).first->second == group) continue;
+    input.fail(0, fmt::format("{} is of group {} above, and of {} here", shown(file),
+                              shown(groups.at(file)), shown(group)));
+  }
+  return groups;
+}
+
+// A file whose group no row can hold, or whose path is too long, cannot be read.
+void require_group(CorpusFile& file) {
+  constexpr std::size_t kLongestGroup = 48, kLongestPath = 512;
+  std::size_t bytes = 0;  // as results hold it
+  for (const char c : file.file) bytes += c > ' ' && c <= '~' && c != '%' ? 1 : 3;
+  if (bytes > kLongestPath) {
+    file.problem = fmt::format("{}: its path within the collection takes {} bytes, more than {}",
+                               printable(file.path), bytes, kLongestPath);
+  }
+  if (file.group.size() <= kLongestGroup && printable(file.group) == file.group) return;
+  file.problem = fmt::format(
+      "{}: group {} is not {} bytes of printable text; `groups` names a table of others",
+      printable(file.path), shown(file.group), kLongestGroup);
+}
+
+}  // namespace
+
+bool is_pattern(const std::string& file) { return file.find_first_of("*?[") != std::string::npos; }
+
+std::vector<std::string> matches(const std::string& path) {
+  std::error_code ignored;
+  if (!is_pattern(path) || fs::exists(path, ignored)) return {path};
+  glob_t found{};
+  glob(path.c_str(), 0, nullptr, &found);
+  std::vector<std::string> files(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  globfree(&found);
+  return files;
+}
+
+[[noreturn]] void refuse_empty(const GraphsEntry& entry) {
+  throw InputError(fmt::format("{}no file matches '{}'", entry.place, printable(entry.file)));
+}
+
+std::vector<std::string> matching_files(const std::string& path, const GraphsEntry& entry) {
+  std::vector<std::string> files = matches(path);
+  if (is_pattern(path)) {
+    std::erase_if(files, [](const std::string& file) {
+      std::error_code ignored;
+      return fs::is_directory(file, ignored);
+    });
+  }
+  if (files.empty()) refuse_empty(entry);
+  return files;
+}
+
+std::vector<std::string> collected_paths(const std::string& path) {
+  std::vector<std::string> files;
+  try {
+    for (const std::string& match : matches(path)) {
+      std::error_code ignored;
+      if (fs::is_directory(match, ignored)) {
+        add_folder(match, files);
+      } else {
+        files.push_back(match);
+      }
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(fmt::format("cannot read {}: {}", printable(error.path1().string()),
+                                 error.code().message()));
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry) {
+  std::map<std::string, std::string, std::less<>> groups;
+  if (!record.groups.empty()) groups = read_groups(record.groups);
+  const fs::path base = base_of(record.path);
+  std::vector<CorpusFile> files;
+  bool any_group = groups.empty();
+  bool has_folders = false;
+  for (const std::string& found : collected_paths(record.path)) {
+    const fs::path within = fs::path(found).lexically_relative(base);
+    CorpusFile file{
+        found, within.filename().string(), within.parent_path().string(), {}, within.string()};
+    has_folders = has_folders || !file.group.empty();
+    if (!record.groups.empty()) {
+      file.name = file.file;
+      auto group = groups.find(file.name);
+      if (group == groups.end()) group = groups.find(within.filename().string());
+      file.group = group == groups.end() ? "" : group->second;
+      any_group = any_group || group != groups.end();
+    }
+    require_group(file);
+    files.push_back(std::move(file));
+  }
+  for (CorpusFile& file :
+       files) {  // beside groups of sub-folders those of the folder itself are one
+    if (groups.empty() && has_folders && file.group.empty()) file.group = ".";
+  }
+  if (!any_group) {
+    throw InputError(fmt::format("{}{} names no file of {}", entry.place, printable(record.groups),
+                                 record.name));
+  }
+  return files;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/store/columns/side_tables.h"
+
+namespace ar3d {
+
+bool is_pattern(const std::string& file);
+[[noreturn]] void refuse_empty(const GraphsEntry& entry);
+/// What matches, by name; the file itself where it exists under that very name, or is no pattern.
+std::vector<std::string> matches(const std::string& path);
+/// These without folders. @throws InputError if there are none.
+std::vector<std::string> matching_files(const std::string& path, const GraphsEntry& entry);
+/// The files of a collection, by name: what matches, and everything in folders that match.
+/// @throws InputError naming what cannot be read.
+std::vector<std::string> collected_paths(const std::string& path);
+/// The files of a collection with their names behind its folder, and their groups: sub-folders, or
+/// as the table says. @throws InputError as above, and naming a line of the table that is none.
+std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry);
+
+}  // namespace ar3d
