@@ -1,11 +1,8 @@
 // `ar3d figures`: the tables of a study, drawn for a paper by python/ar3d/figures.py, which stands in
 // the program.
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -17,7 +14,7 @@
 #include "ar3d/analysis/report.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
-#include "ar3d/base/say.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d_figures_script.h"
 #include "commands.h"
 #include "outputs.h"
@@ -66,17 +63,12 @@ constexpr const char* kPython = "/usr/bin/python3";
 /// @throws InputError if there is no Python, or something ended it.
 int run_script(std::vector<std::string> words) {
   words.insert(words.begin(), {kPython, "-c", std::string(kFiguresScript)});
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t process = 0;
-  const int error = posix_spawn(&process, kPython, nullptr, nullptr, arguments.data(), environ);
-  if (error != 0) {
+  Child child = Child::of_program(std::move(words), {});
+  if (child.run_error() != 0) {
     throw InputError(fmt::format("cannot run {} ({}): apt install python3-matplotlib", kPython,
-                                 std::strerror(error)));
+                                 std::strerror(child.run_error())));
   }
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+  const int status = child.wait();
   if (!WIFEXITED(status)) throw InputError("python3 was ended before it had made the figures");
   return WEXITSTATUS(status);
 }

@@ -56,15 +56,6 @@ bool are_one_file(const std::string& a, const std::string& b) {
   return !error_a && !error_b && path_a == path_b;
 }
 
-// What a file of ours says of itself within its first kilobytes. HDF5 itself is not asked: the file
-// may be anybody's.
-std::string beginning_of(const std::string& path) {
-  std::array<char, 4096> bytes{};
-  std::ifstream in(path, std::ios::binary);
-  in.read(bytes.data(), bytes.size());
-  return {bytes.data(), static_cast<std::size_t>(in.gcount())};
-}
-
 void refuse_needed(const std::string& path, const VerbFiles& files) {
   std::error_code error;
   if (std::filesystem::is_symlink(path, error) && !std::filesystem::exists(path, error)) {
@@ -95,6 +86,15 @@ void refuse_unfinished(const std::string& path) {
 }
 
 }  // namespace
+
+// HDF5 itself is not asked: the file may be anybody's.
+std::string beginning_of(const std::string& path) {
+  if (!is_regular(path)) return {};
+  std::array<char, 4096> bytes{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(bytes.data(), bytes.size());
+  return {bytes.data(), static_cast<std::size_t>(in.gcount())};
+}
 
 void add_force(CLI::App& verb, bool& force) {
   verb.add_flag("--force", force, "replace outputs that exist");

@@ -8,6 +8,10 @@
 
 namespace ar3d {
 
+/// Returns the first kilobytes of a file, where one of ours says what it is; nothing of what is no
+/// regular file (a FIFO would be waited for) or cannot be read.
+std::string beginning_of(const std::string& path);
+
 /// Adds the option --force of every verb that writes files.
 void add_force(CLI::App& verb, bool& force);
 

@@ -224,9 +224,13 @@ int ar3d::run_program(int argc, char** argv) {
     return ar3d::kUsage;
   } catch (const std::system_error& error) {
     const bool is_output = std::ferror(stdout) != 0;
-    ar3d::say(stderr, "ar3d: {}{}\n", is_output ? "cannot write to standard output: " : "",
+    const bool is_thread = error.code() == std::errc::resource_unavailable_try_again;
+    ar3d::say(stderr, "ar3d: {}{}\n",
+              is_output   ? "cannot write to standard output: "
+              : is_thread ? "cannot start a thread: "
+                          : "",
               is_output ? error.code().message() : error.what());
-    return is_output ? ar3d::kUsage : ar3d::kInternalError;
+    return is_output || is_thread ? ar3d::kUsage : ar3d::kInternalError;
   } catch (const std::bad_alloc&) {
     ar3d::say(stderr, "ar3d: out of memory\n");
     return ar3d::kInternalError;

@@ -3,7 +3,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <set>
 #include <string>
@@ -49,10 +48,8 @@ int write_drawings(const std::string& path, const RowView& rows, KeptDrawings ke
 
 /// Is there nothing, or a file that begins as drawings do?
 bool may_be_replaced(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string head(5, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return in.gcount() == 0 || head == "{\"n\":";
+  const std::string head = beginning_of(path);
+  return head.empty() || head.starts_with("{\"n\":");
 }
 
 struct CountArguments {

@@ -2,7 +2,6 @@
 #include "view.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
@@ -34,11 +33,8 @@ std::string page_of(const std::vector<std::string>& inputs) {
 
 /// What stands under a name that nobody gave may be replaced only if it is such a page.
 void refuse_other_file(const std::string& page) {
-  std::ifstream in(page, std::ios::binary);
-  if (!in) return;
-  std::string beginning(1024, '\0');
-  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  if (beginning.find(kViewerMark) != std::string::npos) return;
+  const std::string beginning = beginning_of(page);
+  if (beginning.empty() || beginning.find(kViewerMark) != std::string::npos) return;
   throw InputError(
       fmt::format("{} exists and is no page of `ar3d view`; give another name with -o", page));
 }

@@ -253,6 +253,10 @@ const std::vector<EnvironmentEntry>& RowCollection::environment() const {
 std::size_t RowCollection::size() const { return state_->rows.size(); }
 const RowKey& RowCollection::key(std::size_t place) const { return state_->rows[place].key; }
 
+const std::string& RowCollection::path(std::size_t place) const {
+  return state_->sources[state_->rows[place].source].path;
+}
+
 std::optional<std::size_t> RowCollection::find(const RowKey& key) const {
   const auto& rows = state_->rows;
   const auto at =

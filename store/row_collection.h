@@ -40,6 +40,8 @@ class RowCollection {
 
   std::size_t size() const;
   const RowKey& key(std::size_t place) const;
+  /// Returns the file that has the row.
+  const std::string& path(std::size_t place) const;
   std::optional<std::size_t> find(const RowKey& key) const;
   /// Writes a record. Of a journal it is cheap; of a results file it unpacks 512 records, but for
   /// the next ones in the order of the file.

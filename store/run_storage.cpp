@@ -53,6 +53,7 @@ RunRecord RunReader::read(std::size_t i) {
   const char* record = reader_.read(i);
   try {
     RunRecord run = load_record(record);
+    if (!run.row_key.empty()) parse_row_key(run.row_key);
     set_bounds(find_algorithm_record(algorithms_, run.algorithm, run.options), run);
     return run;
   } catch (const InputError& error) {

@@ -110,6 +110,7 @@ class Worktree {
     for (const auto& entry : fs::directory_iterator(folder_.parent_path(), ignored)) {
       const bool is_sources = entry.path().filename().string().find(kSources) != std::string::npos;
       if (is_sources && locked_folder(entry.path()).get() >= 0) {
+        ask_git({"-C", checkout_, "worktree", "unlock", entry.path().string()});  // half made
         fs::remove_all(entry.path(), ignored);
       }
     }

@@ -227,7 +227,8 @@ class Corpus::Scan {
     try {
       if (!file.problem.empty()) throw InputError(file.problem);
       std::error_code ignored;
-      if (!file.name.empty() && !std::filesystem::is_regular_file(file.path, ignored)) {
+      const std::filesystem::file_status status = std::filesystem::status(file.path, ignored);
+      if (!file.name.empty() && !is_regular_file(status) && !is_directory(status)) {
         throw InputError(file.path + ": it is no regular file");
       }
       if (!reader) reader.emplace(file.path, options_.reading);

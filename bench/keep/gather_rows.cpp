@@ -3,6 +3,8 @@
 #include "ar3d/bench/keep/gather_rows.h"
 
 #include "ar3d/base/printable.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/journal/journal_writer.h"
 
 namespace ar3d {
 namespace {
@@ -13,8 +15,9 @@ void refuse_unknown_row(const GatheredRows& gathered, const RowCollection& rows)
   for (std::size_t place = 0; place < rows.size(); ++place) {
     if (!known[place]) {
       throw InputError(fmt::format(
-          "row {} is none of study {} as this program plans it (the rows are of source {})",
-          to_string(rows.key(place)), rows.identity().study_id, rows.identity().source()));
+          "{}: row {} is none of study {} as this program plans it (the rows are of source {})",
+          rows.path(place), to_string(rows.key(place)), rows.identity().study_id,
+          rows.identity().source()));
     }
   }
 }
@@ -100,6 +103,30 @@ void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
   StudyIdentity described = identity;
   described.planned_rows = static_cast<std::int64_t>(gathered.places.size() + gathered.missing);
   write_results(described, rows.environment(), run_format(), {gathered.places.size(), read}, path);
+}
+
+void copy_rows(const RowCollection& rows, const std::vector<RunStatus>& but,
+               JournalWriter& journal) {
+  std::vector<EnvironmentEntry> session;
+  for (const EnvironmentEntry& entry : rows.environment()) {
+    if (entry.session != (session.empty() ? 0 : session.back().session)) {
+      journal.begin_session(session);
+      session.clear();
+    }
+    session.push_back(entry);
+  }
+  journal.begin_session(session);
+  rows.visit([&](const char* record) {
+    try {
+      const RunStatus status = load_record(record).status;
+      if (std::ranges::count(but, status) == 0) journal.append_record(record);
+    } catch (const JournalFull&) {
+      throw;
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", rows.path(0), error.what()));
+    }
+  });
+  journal.sync();
 }
 
 StudyOutcome merge_study(const std::vector<std::string>& parts, const std::string& output) {

@@ -34,6 +34,12 @@ GatheredRows gather_rows(const StudyPlan& plan, const RowCollection& rows);
 void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
                     const RowCollection& rows, const std::string& path);
 
+/// Copies rows of one file but those with these statuses into a new journal, session by session.
+/// @throws InputError naming the file if a row cannot be read (it would make the journal useless),
+/// JournalFull.
+void copy_rows(const RowCollection& rows, const std::vector<RunStatus>& but,
+               JournalWriter& journal);
+
 /// Makes one results file of a study's parts: results files and journals of its shards and ranks,
 /// in any order; the same parts give the same bytes.
 /// @return what is there; nothing is written unless it is complete.

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "ar3d/base/parallel.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/keep/gather_rows.h"
@@ -40,25 +41,6 @@ StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& pla
   const GatheredRows gathered = gather_rows(plan, rows);
   write_gathered(rows.identity(), gathered, rows, path);
   return {gathered.places.size(), gathered.missing, gathered.first_missing, {}};
-}
-
-// Copies the rows that are not made again into a new journal, session by session.
-void copy_rows(const JournaledStudy& study, const RowCollection& rows, JournalWriter& journal) {
-  std::vector<EnvironmentEntry> session;
-  for (const EnvironmentEntry& entry : rows.environment()) {
-    if (entry.session != (session.empty() ? 0 : session.back().session)) {
-      journal.begin_session(session);
-      session.clear();
-    }
-    session.push_back(entry);
-  }
-  journal.begin_session(session);
-  rows.visit([&](const char* record) {
-    const bool again =
-        !study.again.empty() && std::ranges::count(study.again, load_record(record).status) > 0;
-    if (!again) journal.append_record(record);
-  });
-  journal.sync();
 }
 
 bool has_grown(const StudySpec& spec) {
@@ -109,18 +91,22 @@ void seed_journal(const JournaledStudy& study, const StudyPlan& plan,
   if (!study.seed_from_results && !begins_anew) return;
   const std::string journal_of_study = journal_path(study.results);
   const std::string seed = name_of_new_file(journal_of_study);
-  {
+  try {
     RowCollection rows(run_format());
     rows.add(study.results);
     rows.close();
     require_own_rows(rows.identity(), identity, study.results);
     refuse_other_rows(study, plan, rows);  // before there is a journal that says it is not finished
     JournalWriter journal(seed, identity, run_format());
-    copy_rows(study, rows, journal);
+    copy_rows(rows, study.again, journal);
     if (!study.again.empty()) {
       say(stderr, "ar3d: {} of {} rows are made again\n", rows.size() - journal.rows(),
           rows.size());
     }
+  } catch (...) {  // no room for it, no thread, or refused
+    std::error_code ignored;
+    std::filesystem::remove(seed, ignored);
+    throw;
   }
   // Not by replacing: another process may have made the same journal and be at work with it.
   give_name_if_free(seed, journal_of_study);
@@ -216,6 +202,9 @@ class StudyPart {
     const StudyIdentity identity = identity_of(study, plan_);
     const std::string path = journal_path(study.results, ranks.rank());
     together(ranks, [&] {
+      // Threads that there are not are missed before there is a journal.
+      const bool in_processes = policy.isolate || plan_.budget.limits_rows();
+      if (!in_processes) in_threads(static_cast<std::uint32_t>(policy.workers), [](auto) {});
       if (ranks.is_first()) seed_journal(study, plan_, identity);
       journal_.emplace(path, identity, run_format());
     });

@@ -20,14 +20,23 @@ namespace {
 namespace fs = std::filesystem;
 
 // A folder's files and those of its sub-folders; what begins with a dot is left out, and links to
-// folders are not followed.
-void add_folder(const std::string& folder, std::vector<std::string>& files) {
-  fs::recursive_directory_iterator at(folder);
-  for (; at != fs::recursive_directory_iterator(); ++at) {
-    const bool is_hidden = at->path().filename().string().starts_with('.');
-    if (is_hidden) at.disable_recursion_pending();
-    std::error_code ignored;  // a link that leads nowhere is refused where it is to be read
-    if (!is_hidden && !at->is_directory(ignored)) files.push_back(at->path().string());
+// folders are not followed. What cannot be read is refused where it is to be.
+void add_folder(const std::string& top, std::vector<std::string>& files) {
+  std::vector<std::string> folders = {top};
+  while (!folders.empty()) {
+    const std::string folder = std::move(folders.back());
+    folders.pop_back();
+    std::error_code error, ignored;
+    fs::directory_iterator at(folder, error);
+    for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+      if (at->path().filename().string().starts_with('.')) continue;
+      if (!at->is_directory(ignored)) {
+        files.push_back(at->path().string());
+      } else if (!at->is_symlink(ignored)) {
+        folders.push_back(at->path().string());
+      }
+    }
+    if (error) files.push_back(folder);
   }
 }
 

@@ -9,6 +9,7 @@
     draw(axes, tables, "volume", algorithms=["diamond"])
 """
 import argparse
+import contextlib
 import json
 import os
 import pathlib
@@ -261,11 +262,16 @@ def main(words=None):
     made.error = lambda message: (_ for _ in ()).throw(Refused(message))
     try:
         for path in make_figures(made.parse_args(words)):
-            print(f"figure   {path}")
+            print(f"figure   {path}", flush=True)
         return 0
     except Refused as error:
-        print(f"ar3d: {error}", file=sys.stderr)
-        return 2
+        message = error
+    except OSError as error:  # of print
+        message = f"cannot write to standard output: {error.strerror}"
+        sys.stdout = None  # what it still holds is not tried again at the end
+    with contextlib.suppress(OSError):
+        print(f"ar3d: {message}", file=sys.stderr)
+    return 2
 
 
 if __name__ == "__main__":

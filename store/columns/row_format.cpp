@@ -21,7 +21,8 @@ RowKey parse_row_key(std::string_view text) {
   RowKey key;
   if (text.size() != 32 || !read_digits(text.substr(0, 16), key.high) ||
       !read_digits(text.substr(16), key.low) || to_string(key) != text) {
-    throw InputError(fmt::format("'{}' is no row key of 32 hexadecimal digits", text));
+    throw InputError(fmt::format("'{}' is no row key of 32 hexadecimal digits",
+                                 text.substr(0, text.find('\0'))));
   }
   return key;
 }

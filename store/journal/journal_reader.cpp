@@ -93,7 +93,7 @@ class JournalLines {
 };
 
 Descriptor open_to_read(const std::string& path) {
-  Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  Descriptor file = open_input(path);
   if (file.get() < 0) refuse(path, errno);
   return file;
 }

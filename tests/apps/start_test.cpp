@@ -6,7 +6,6 @@
 #include <map>
 #include <sstream>
 
-#include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 #include "support/results.h"
@@ -20,6 +19,12 @@ class Start : public ::testing::Test {
   /// Five stars of degree 3, about each of which `draw` says something.
   std::string stars() const { return scratch_.write("g.g6", "Ct\nCt\nCt\nCt\nCt\n"); }
 
+  /// A study of two rows.
+  std::string tiny() const {
+    return scratch_.write("tiny.toml",
+                          "study = 't'\n[[sweep]]\nfamilies = 'cycle'\nsizes = [5, 6]\n"
+                          "algorithms = 'grid'\n");
+  }
   /// A study of one program that takes half a second for a drawing.
   std::string slow_study() const {
     scratch_.write("slow.py", R"(import sys, time
@@ -55,11 +60,48 @@ TEST_F(Start, ClosedDescriptorsPutNoMessageIntoFiles) {
   expect_error(run("{} list families 1>&-"), "cannot write to standard output");
 }
 
+/// Seven ways of closing or filling standard streams; only what standard output had to take counts.
+TEST_F(Start, StreamsThatCannotBeWrittenEndNoVerb) {
+  stars();
+  const std::string cd = "cd " + path("") + " && ";
+  must(cd + "{} study run " + tiny() + " -q -o r.h5 && {} draw g.g6 -o d.jsonl && " +
+       "{} generate cycle -n 9 -o one.s6 && {} history add r.h5 --folder h --place 1 --name a");
+  expect_exit(0, run(cd + "{} figures r.h5 -o f 2>/dev/full"));
+  expect_one_line(run(cd + "{} figures r.h5 --force -o f >/dev/full"), "standard output: No space");
+  for (const std::string call : {"list families",
+                                 "help draw",
+                                 "--version",
+                                 "generate cycle -n 9",
+                                 "draw g.g6",
+                                 "draw g.g6 --force -o a.jsonl",
+                                 "view d.jsonl --force -o v.html",
+                                 "verify d.jsonl",
+                                 "study plan tiny.toml",
+                                 "study run tiny.toml --force -o s.h5",
+                                 "study resume s.h5",
+                                 "study status r.h5",
+                                 "study merge r.h5 --force -o m.h5",
+                                 "check r.h5",
+                                 "report r.h5 --force -o p.html",
+                                 "compare r.h5 r.h5",
+                                 "history add r.h5 --folder h --place 1 --name a --force",
+                                 "history report --folder h --force -o h.html",
+                                 "replay r.h5 1",
+                                 "replay r.h5 --all",
+                                 "hunt --algorithm grid -n 6 --evaluations 9 --force -o w",
+                                 "shrink one.s6 --algorithm grid --ratio 0.0001 --force -o w"}) {
+    const Outcome plain = run(cd + "{} " + call);
+    EXPECT_TRUE(plain.exit_code == 0 || call.starts_with("history report")) << plain.err;
+    for (const std::string how : {"2>/dev/full", "2>&-", ">/dev/full", ">&-", "<&- 2>&-",
+                                  ">&- 2>&-", ">/dev/full 2>/dev/full"}) {
+      const bool is_lost = how.find(">&- 2") == 0 || how.find(">/") == 0 || how == ">&-";
+      expect_exit(is_lost && !plain.out.empty() ? 2 : plain.exit_code,
+                  run(cd + "{} " + call + " " + how));
+    }
+  }
+}
+
 TEST_F(Start, StandardErrorThatIsFullChangesNoExitCode) {
-  const std::string graphs = stars();
-  must("{} draw " + graphs + " -o " + path("good.jsonl"));
-  expect_exit(0, run("{} draw " + graphs + " -o " + path("a.jsonl") + " 2>/dev/full"));
-  EXPECT_EQ(read_file(path("a.jsonl")), read_file(path("good.jsonl")));
   std::istringstream verbs(run(R"(verbs() { {} $1 --help |
       sed -n '/^Subcommands:/,/^[A-Z].*:$/s/^  \([a-z]*\)  .*/\1/p'; }
       verbs; for v in study history; do verbs $v | sed "s/^/$v /"; done)")
@@ -75,13 +117,22 @@ TEST_F(Start, StandardErrorThatIsFullChangesNoExitCode) {
 
 TEST_F(Start, SmallStacksFilesAndIgnoredChildrenAreNoCrash) {
   const std::string graphs = stars();
-  const std::string small = "ulimit -s 64; export OMP_STACKSIZE=64k; {} ";
-  expect_exit(0, run(small + "draw " + graphs + " -o " + path("v.html")));
-  expect_exit(0, run(small + "study run smoke -q -o " + path("r.h5")));
-  expect_exit(0, run(small + "report " + path("r.h5") + " -o " + path("s.html")));
-  expect_error(run("ulimit -f 1; {} generate cycle -n 10000 -o " + path("large.s6")),
-               "File too large");
-  EXPECT_FALSE(fs::exists(path("large.s6")));
+  const std::string cd = "cd " + path("") + " && ";
+  for (const std::string call :
+       {"draw g.g6 -o d.jsonl", "draw g.g6 -o v.html", "view d.jsonl -o w.html", "verify d.jsonl",
+        "study run smoke -q -o r.h5", "study run smoke -q --isolate -o i.h5", "check r.h5",
+        "report r.h5 -o s.html --csv s.csv", "compare r.h5 r.h5", "study merge r.h5 -o m.h5",
+        "replay r.h5 --sample 20", "hunt --algorithm grid -n 8 --evaluations 20"}) {
+    expect_exit(0, run(cd + "ulimit -s 64; export OMP_STACKSIZE=64k; {} " + call));
+  }
+  for (const std::string call :
+       {"generate cycle -n 10000 -o large", "draw g.g6 --force -o large", "view d.jsonl -o large",
+        "report r.h5 -o large", "study merge r.h5 -o large", "replay r.h5 --keep all -o large",
+        "study run smoke -q -o large", "history add r.h5 --folder h --place 1 --name n"}) {
+    expect_error(run(cd + "ulimit -f 1; {} " + call), "File too large");
+    EXPECT_FALSE(fs::exists(path("large"))) << call;
+    EXPECT_EQ(run("ls -R " + path("") + " | grep partial").out, "") << call;
+  }
   scratch_.write("valgrind", "#!/bin/sh\n[ $1 = --version ] || exit 3\n");
   must("chmod +x " + path("valgrind"));
   expect_error(
@@ -101,6 +152,12 @@ TEST_F(Start, AFifoIsRefusedAndAPipeIsRead) {
     expect_error(run("timeout 10 {} " + verb + fifo), "f.g6");
   }
   expect_error(run("timeout 10 {} draw " + fifo), "it is a FIFO");
+  expect_error(run("timeout 10 {} shrink --algorithm grid -o " + path("w ") + fifo),
+               "it is a FIFO");
+  must("mkfifo " + path("r.h5.journal"));
+  for (const std::string verb : {"study status ", "study resume ", "study run smoke -o "}) {
+    expect_error(run("timeout 10 {} " + verb + path("r.h5")), "r.h5.journal");
+  }
   expect_exit(0, run("cat " + graphs + " | {} draw -"));
   expect_exit(0, run("cat " + graphs + " | {} draw /dev/stdin"));
   expect_exit(0, run("{} draw <(cat " + graphs + ")"));
@@ -143,10 +200,16 @@ TEST_F(Start, ProcessesOfOthersLiveOn) {
 }
 
 TEST_F(Start, ResultsAreReadWithoutProc) {
-  must("{} study run smoke -q -o " + path("r.h5"));
-  const std::string without = "unshare --map-root-user --mount bash -c 'mount -t tmpfs none /proc";
+  must("{} study run " + tiny() + " -q -o " + path("r.h5"));
+  const std::string without = "cd " + path("") +
+                              "; unshare --map-root-user --mount bash -c '"
+                              "mount -t tmpfs none /proc";
   if (run(without + "'").exit_code != 0) GTEST_SKIP() << "the system lets nobody hide /proc";
-  expect_exit(0, run(without + " && {} check " + path("r.h5") + "'"));
+  for (const std::string call :
+       {"check r.h5", "report r.h5", "compare r.h5 r.h5", "study merge r.h5 -o m.h5",
+        "replay r.h5 1", "study resume -q r.h5", "study run tiny.toml -q --isolate -o n.h5"}) {
+    expect_exit(0, run(without + " && {} " + call + "'"));
+  }
 }
 
 TEST_F(Start, EveryToolNamesThePackagesThatItNeeds) {
@@ -176,88 +239,79 @@ TEST_F(Start, EveryToolNamesThePackagesThatItNeeds) {
 TEST(Collections, WhatCannotBeReadIsSkippedAlone) {
   const ScratchDirectory scratch;
   const std::string folder = scratch.path("c");
-  must("mkdir -p " + folder + "/" + std::string(60, 'd') + "; ln -s y " + folder + "/x; ln -s x " +
-       folder + "/y; {} generate cycle -n 9 -o " + folder + "/a.s6; cp " + folder + "/a.s6 " +
-       folder + "/" + std::string(60, 'd'));
+  must(
+      "mkdir -p " + folder + "/" + std::string(60, 'd') + "; ln -s y " + folder + "/x; ln -s x " +
+      folder + "/y; {} generate cycle -n 9 -o " + folder + "/a.s6; cp " + folder + "/a.s6 " +
+      folder + "/" + std::string(60, 'd') + "; cd " + folder +
+      "; python3 -c 'import os\nfor _ in range(30): os.mkdir(\"e\" * 200); os.chdir(\"e\" * 200)'");
   const std::string study = "{} study run -q --graphs " + folder +
                             " --name c --algorithm grid -o " + scratch.path("r.h5");
   expect_error(run(study), "c/");
-  expect_output(run(study + " --skip"), "files    1 of 4 were read");
+  expect_output(run(study + " --skip"), "files    1 of 5 were read");
   EXPECT_EQ(read_results(scratch.path("r.h5")).runs.size(), 1u);
 }
 
-TEST(Leftovers, NoPartialFileStaysBehindAKilledStudy) {
-  const ScratchDirectory scratch;
-  const std::string file = scratch.path("q.h5");
-  for (int call = 1; call <= 12; ++call) {
-    run(with_fault(fmt::format("after:{}", call)) + "{} study run smoke -q -o " + file);
-    run(fs::exists(file + ".journal") || fs::exists(file) ? "{} study resume -q " + file
-                                                          : "{} study run smoke -q -o " + file);
-    EXPECT_EQ(run("ls " + scratch.path("") + " | grep partial").out, "") << call;
-    run("rm -f " + scratch.path("q*"));
+TEST_F(Start, NoPartialFileStaysBehindAStudyThatWasStoppedAtAnyCall) {
+  const std::string study = "study run -q " + tiny() + " -o ", file = path("q.h5");
+  for (const std::string options : {"", " --isolate"}) {
+    for (const std::string kind : {"after", "errno"}) {
+      int calls = 0;
+      for (bool is_hit = true; is_hit; ++calls) {
+        const std::string fault = fmt::format("{}:{} AR3D_FAULT_IN={}", kind, calls + 1, path(""));
+        const Outcome stopped = run(with_fault(fault) + "{} " + study + file + options);
+        is_hit = stopped.exit_code == 137 || stopped.err.find("fault of") != std::string::npos;
+        const bool begun = fs::exists(file + ".journal") || fs::exists(file);
+        expect_exit(0, run("{} " + (begun ? "study resume -q " : study) + file));
+        EXPECT_EQ(run("ls " + path("") + " | grep 'partial\\|journal'").out, "") << fault;
+        run("rm -f " + path("q*"));
+      }
+      EXPECT_GT(calls, 20) << kind;
+    }
   }
 }
 
-/// The folder is read for the first row only, however many rows are replayed.
-TEST(Collections, AreListedOnceForAllRowsThatAreReplayed) {
+/// How many calls on the collection's folder and files a command makes: the last that can fail.
+int calls_on(const std::string& folder, const std::string& command) {
+  const auto meets = [&](int call) {
+    return run(with_fault(fmt::format("errno:{} AR3D_FAULT_IN={}", call, folder)) + command)
+               .err.find("fault of call") != std::string::npos;
+  };
+  int calls = 0;
+  while (calls < 100 && meets(calls + 1)) ++calls;
+  return calls;
+}
+
+TEST(Collections, AreReadOnceForAllRowsThatAreReplayed) {
   const ScratchDirectory scratch;
   const std::string folder = scratch.path("c"), file = scratch.path("r.h5");
   must("mkdir " + folder + "; for n in 5 6 7; do {} generate cycle -n $n -o " + folder +
        "/$n.s6; done; {} study run -q --graphs " + folder + " --name c --algorithm grid -o " +
        file);
-  const Results results = read_results(file);
-  const StudyOrigin origin = study_origin(results);
-  EXPECT_EQ(graph_of(plan_of_row(results.runs.at(0), origin)).num_vertices(), 5u);
-  fs::remove_all(folder);
-  EXPECT_EQ(graph_of(plan_of_row(results.runs.at(2), origin)).num_vertices(), 7u);
+  expect_output(run("{} replay " + file + " --all"), "3 of 3 rows made again: 3 equal");
+  const int calls = calls_on(folder, "{} replay " + file + " 0");
+  EXPECT_GE(calls, 3) << "it is seen";
+  EXPECT_EQ(calls_on(folder, "{} replay " + file + " --all"), calls);
 }
 
-TEST(Keys, AreOfThePlan) {
+// One thread does where more are not needed; what needs them says so before there is a journal.
+TEST(Threads, ThatCannotBeStartedAreAnErrorOrAreNotNeeded) {
   const ScratchDirectory scratch;
-  const std::string file = scratch.path("r.h5");
-  must("{} study run smoke -q -o " + file);
-  Results strange = read_results(file);
-  strange.runs[5].row_key = std::string(31, '0') + "1";
-  write_results(strange, scratch.path("p.h5"));
-  expect_error(run("{} study resume -q " + scratch.path("p.h5")), "is none of study smoke");
-  EXPECT_FALSE(fs::exists(scratch.path("p.h5.journal"))) << "the study is as it was";
-  strange.runs[5].row_key = std::string(32, '0');
-  write_results(strange, file);
-  expect_error(run("{} check " + file), "r.h5: the key of row 5 is zero");
-  const std::string status = "{} study status " + file;
-  expect_error(run(status), "r.h5: the key of row 5 is zero");
-  strange.runs[5].row_key = strange.runs[3].row_key;
-  write_results(strange, file);
-  for (const std::string verb : {"check ", "report ", "study resume -q ", "study status "}) {
-    expect_error(run("{} " + verb + file), "r.h5: rows 3 and 5 have one key, ");
-  }
-  strange.runs[5].row_key = std::string(31, '0') + "1";
-  strange.runs.push_back(strange.runs[5]);
-  strange.runs.back().row_key[0] = '1';
-  write_results(strange, file);
-  const Outcome more = run(status);
-  expect_error(more, "r.h5: 1063 rows, but its study plans 1062: there is no row 1062");
-  EXPECT_EQ(more.out, "") << "no word of completeness";
-}
-
-/// What the process that reads a results file says is checked: lies 1 to 10 of the fault shim.
-TEST(Readers, ThatLieAreRefusedByTheNameOfTheFile) {
-  const ScratchDirectory scratch;
-  must("{} study run smoke -q -o " + scratch.path("r.h5"));
+  must("cd " + scratch.path("") + "; {} generate random-cubic -n 100000 -o g.s6; " +
+       "{} draw g.s6 --algorithm grid -o all.jsonl; {} study run smoke -q -o r.h5");
+  const std::string none = "cd " + scratch.path("") + "; " + with_fault("thread:1") + "{} ";
+  expect_exit(0, run(none + "draw g.s6 --algorithm grid -o one.jsonl"));
+  expect_exit(0, run("cmp " + scratch.path("all.jsonl") + " " + scratch.path("one.jsonl")));
+  expect_exit(0, run(none + "verify one.jsonl"));
   const std::string bytes = read_file(scratch.path("r.h5"));
-  for (int lie = 1; lie <= 10; ++lie) {
-    const std::string program = "cd " + scratch.path("") + " && timeout 60 " +
-                                with_fault(fmt::format("lie:{}", lie)) + "{} ";
-    for (const std::string verb :
-         {"check r.h5", "study status r.h5", "report r.h5", "study resume -q r.h5", "replay r.h5 0",
-          "compare r.h5 r.h5", "study merge r.h5 -o m.h5", "study count r.h5 -o m.h5"}) {
-      const Outcome refused = run(program + verb);
-      expect_one_line(refused, "ar3d: r.h5");
-      EXPECT_THAT(refused.out, Not(HasSubstr("complete"))) << lie << ' ' << verb;
-    }
-    EXPECT_EQ(read_file(scratch.path("r.h5")), bytes) << lie;
-    EXPECT_EQ(scratch.entries(), 2u) << lie << ": rows and their page";
+  for (const std::string verb : {"study run smoke -q -o n.h5", "study resume -q r.h5"}) {
+    expect_one_line(run(none + verb + " --threads 2"), "cannot start 2 threads: the system allows");
+    EXPECT_EQ(fs::exists(scratch.path("n.h5.journal")), verb.starts_with("study resume"));
+    expect_one_line(run(none + verb + " --threads 1"), "cannot start a thread: Resource");
+    EXPECT_EQ(run("ls " + scratch.path("") + " | grep r.h5.").out, "") << verb;
+    EXPECT_EQ(read_file(scratch.path("r.h5")), bytes);
   }
+  expect_exit(0, run("{} study resume -q " + scratch.path("n.h5")));
+  expect_same_rows(scratch.path("n.h5"), scratch.path("r.h5"));
 }
 
 TEST(Processes, ThatCannotBeForkedAreAnErrorOrAreNotNeeded) {

@@ -11,6 +11,7 @@
 //   AR3D_FAULT=unlink:K   SIGKILL instead of the K-th removal of a *.journal
 //   AR3D_FAULT=late:MS    every write to a *.journal comes so many milliseconds late
 //   AR3D_FAULT=fork:K     from the K-th on, no process can be forked
+//   AR3D_FAULT=thread:K   from the K-th on, no thread can be started
 //   AR3D_FAULT=lie:K      forked processes tell lie K (lie_in)
 //   AR3D_FAULT=nolock:1   locks are granted to everybody (NFS mounted with nolock)
 //   AR3D_FAULT=nolink:L   no hard links and no files without a name; L = 2: nor a rename that
@@ -20,6 +21,7 @@
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <sys/mman.h>
@@ -147,6 +149,7 @@ std::size_t lie_in(char* said, std::size_t size, long call) {
   if (lie == 7 && call == 2) std::memset(said, 0xff, size);
   if (lie == 8 && call == 4) std::memset(said, 0, size);
   if (lie == 9 && call == 4) std::memset(said, 0xff, size);
+  while (lie == 11 || (lie == 12 && call == 2)) pause();  // for ever
   if (lie == 10 && call >= 3 && call <= 4) return call == 3 ? (put_number(said, 0), size) : 0;
   return size;
 }
@@ -160,6 +163,14 @@ pid_t fork() noexcept {
   if (!fault().is("fork") || ++fault().calls < fault().count) return real();
   errno = EAGAIN;
   return -1;
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*begin)(void*),
+                   void* argument) noexcept {
+  static const auto real =
+      reinterpret_cast<decltype(&pthread_create)>(dlsym(RTLD_NEXT, "pthread_create"));
+  if (fault().is("thread") && ++fault().calls >= fault().count) return EAGAIN;
+  return real(thread, attributes, begin, argument);
 }
 
 ssize_t send(int socket, const void* from, std::size_t count, int flags) {
