@@ -7,12 +7,12 @@
 namespace ar3d {
 namespace {
 
-/// "a=1;b=2" -> " FLAG a=1 FLAG b=2".
-std::string settings(std::string_view list, std::string_view flag) {
+/// "a=1;b=2" -> " --set a=1 --set b=2".
+std::string settings(std::string_view list) {
   std::string arguments;
   while (!list.empty()) {
     const std::size_t end = std::min(list.find(';'), list.size());
-    if (end > 0) arguments += fmt::format(" {} {}", flag, shell_word(list.substr(0, end)));
+    if (end > 0) arguments += fmt::format(" --set {}", shell_word(list.substr(0, end)));
     list.remove_prefix(std::min(end + 1, list.size()));
   }
   return arguments;
@@ -22,8 +22,8 @@ std::string settings(std::string_view list, std::string_view flag) {
 
 std::pair<std::string, std::string> draw_command_parts(const CurveKey& key) {
   return {fmt::format("ar3d generate {} -n ", shell_word(key.family)),
-          fmt::format("{} | ar3d draw - --algorithm {}{}", settings(key.parameters, "--parameter"),
-                      shell_word(key.algorithm), settings(key.options, "--set"))};
+          fmt::format("{} | ar3d draw - --algorithm {}{}", settings(key.parameters),
+                      shell_word(key.algorithm), settings(key.options))};
 }
 
 std::string draw_command(const RunRecord& run) {

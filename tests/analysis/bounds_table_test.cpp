@@ -122,8 +122,8 @@ TEST(Replay, QuotesWhatAShellWouldRead) {
   run.parameters = "k=2;p=750000";
   run.options = "effort=1";
   EXPECT_EQ(draw_command(run),
-            "ar3d generate 'x; rm -rf '\\''$HOME'\\''' -n 16 --seed 16000 --parameter k=2 "
-            "--parameter p=750000 "
+            "ar3d generate 'x; rm -rf '\\''$HOME'\\''' -n 16 --seed 16000 --set k=2 "
+            "--set p=750000 "
             "| ar3d draw - --algorithm diamond --set effort=1");
   EXPECT_EQ(replay_command("my runs.h5", run, 7), "ar3d replay 'my runs.h5' 7");
   run.row_key = "00ff";

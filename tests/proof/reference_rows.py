@@ -15,7 +15,7 @@ folder = pathlib.Path(tempfile.mkdtemp())
 
 
 def generate(family, n, seed, parameters=""):
-    words = [word for item in parameters.split(";") if item for word in ("--parameter", item)]
+    words = [word for item in parameters.split(";") if item for word in ("--set", item)]
     return drawings.run(ar3d, "generate", family, "-n", str(n), "--seed", str(seed), "--format", "sparse6", *words).strip()
 
 
