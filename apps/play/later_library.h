@@ -1,14 +1,18 @@
 #pragma once
-// What the core uses of C++20's library and libc++ 13, emscripten's, lacks: algorithms over ranges and std::atomic_ref,
-// here for one thread. Every source of the page is compiled with this header in front (CMakeLists.txt); no other is.
+// What the core uses of C++20's library and libc++ 13, emscripten's, lacks: algorithms over ranges,
+// numbers with a point from characters, std::atomic_ref; here for one thread. Every source of the
+// page is compiled with this header in front (CMakeLists.txt); no other is.
 
 #include <version>
 
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 15000
 #include <algorithm>
 #include <atomic>
+#include <charconv>
+#include <cstdlib>
 #include <functional>
 #include <iterator>
+#include <string>
 
 namespace std {  // NOLINT(cert-dcl58-cpp): names that a later version of this library has
 namespace ranges {
@@ -68,6 +72,10 @@ template <class Range>
 auto adjacent_find(Range&& range) {
   return std::adjacent_find(std::begin(range), std::end(range));
 }
+template <class Range, class Value>
+void replace(Range&& range, const Value& old, const Value& by) {
+  std::replace(std::begin(range), std::end(range), old, by);
+}
 template <class Range>
 void reverse(Range&& range) {
   std::reverse(std::begin(range), std::end(range));
@@ -78,6 +86,17 @@ auto transform(Range&& range, To to, Make make) {
 }
 
 }  // namespace ranges
+
+// strtod() also takes blanks, a plus and hexadecimal digits.
+inline from_chars_result from_chars(const char* first, const char* last, double& value) {
+  const string text(first, last);
+  if (text.find_first_of(" \t\n\v\f\r+xX") == 0 || text.find_first_of("xX") != string::npos) {
+    return {first, errc::invalid_argument};
+  }
+  char* end = nullptr;
+  value = strtod(text.c_str(), &end);
+  return {first + (end - text.c_str()), end == text.c_str() ? errc::invalid_argument : errc()};
+}
 
 template <class T>
 class atomic_ref {
