@@ -144,7 +144,11 @@ strong = { threads = [1, 512] }
     const Outcome study =
         expect_exit(2, run("ulimit -v 2000000; {} study run -q " + what + " -o " + results));
     EXPECT_THAT(study.err, HasSubstr("ar3d: cannot start ")) << what;
-    expect_exit(0, run("{} study resume -q --force-timing --threads 2 " + results));
+    // What the workers lack is missed before there is a journal; a batch is not.
+    EXPECT_EQ(fs::exists(results + ".journal"), what != "smoke --threads 1024");
+    if (fs::exists(results + ".journal")) {
+      expect_exit(0, run("{} study resume -q --force-timing --threads 2 " + results));
+    }
   }
 }
 
