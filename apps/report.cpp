@@ -40,11 +40,6 @@ struct ReportArguments {
 int write_report(const ReportArguments& arguments) {
   const std::string results = results_path_of(arguments.results);
   const std::string path = arguments.output.empty() ? report_path(results) : arguments.output;
-  refuse_foreign_ending(path, {".html", ".htm"});
-  for (const std::string* csv : {&arguments.csv, &arguments.growth, &arguments.rows}) {
-    refuse_foreign_ending(*csv, {".csv", ".txt"});
-  }
-  refuse_foreign_ending(arguments.json, {".json"});
   if (arguments.output.empty()) refuse_foreign_page(path, results);
   refuse_unsafe_outputs(
       {.inputs = {arguments.results, results, arguments.reference},
@@ -52,6 +47,11 @@ int write_report(const ReportArguments& arguments) {
        .page = path,
        .force = arguments.force,
        .streams = false});
+  refuse_foreign_ending(path, {".html", ".htm"});
+  for (const std::string* csv : {&arguments.csv, &arguments.growth, &arguments.rows}) {
+    refuse_foreign_ending(*csv, {".csv", ".txt"});
+  }
+  refuse_foreign_ending(arguments.json, {".json"});
   const StudyRows rows(arguments.results);
   const RowView& view = rows.view();
   const StudyAnalysis analysis = analyse(view, judge(view, arguments.results));

@@ -194,7 +194,6 @@ Shard shard_of(const std::string& text) {
 }
 
 JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
-  refuse_foreign_ending(arguments.output, {".h5", ".hdf5"});
   JournaledStudy study = new_study(chosen_study(arguments.chosen), shard, arguments.output);
   const std::string page = report_path(study.results);
   std::vector<std::string> inputs = {arguments.chosen.study};
@@ -209,6 +208,7 @@ JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
                          .page = page,
                          .force = arguments.force,
                          .streams = false});
+  refuse_foreign_ending(arguments.output, {".h5", ".hdf5"});
   for (const std::string& output : outputs) require_writable(output);
   return study;
 }

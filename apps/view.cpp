@@ -41,13 +41,13 @@ void refuse_other_file(const std::string& page) {
 
 int view_drawings(const ViewArguments& arguments) {
   const std::string page = arguments.output.empty() ? page_of(arguments.inputs) : arguments.output;
-  refuse_foreign_ending(page, {".html", ".htm"});
   if (arguments.output.empty()) refuse_other_file(page);
   refuse_unsafe_outputs({.inputs = arguments.inputs,
                          .outputs = {},
                          .page = page,
                          .page_is = kViewerMark,
                          .force = arguments.force});
+  refuse_foreign_ending(page, {".html", ".htm"});
   if (!arguments.algorithm.empty()) find_algorithm(arguments.algorithm);
   SeveralInputs<DrawingJsonlReader> inputs(arguments.inputs, [](const std::string& path) {
     return std::make_unique<DrawingJsonlReader>(path);

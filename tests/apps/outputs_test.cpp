@@ -130,8 +130,8 @@ TEST_F(Outputs, ThatExistAreReplacedWithForceOnly) {
                             {"report r.h5 --json out.json", "out.json"},
                             {"figures r.h5 -o .", "side.pdf"},
                             {"compare r.h5 other.h5 --drawings-only --json out.json", "out.json"},
-                            {"study run smoke -q -o out.stl", "out.stl"},
-                            {"study merge r.h5 -o out.stl", "out.stl"},
+                            {"study run smoke -q -o out.hdf5", "out.hdf5"},
+                            {"study merge r.h5 -o out.hdf5", "out.hdf5"},
                             {"study count r.h5 --max-n 4 -o out.stl", "out.stl"},
                             {"study status r.h5 --snapshot out.h5", "out.h5"}}) {
     const std::string file = scratch_.path(written.file);
