@@ -63,7 +63,8 @@ PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin) {
   instance.index = static_cast<std::uint32_t>(row.instance_index);
   instance.seed = row.seed;
   PlannedRun run;
-  run.choice = algorithm_choice(origin.spec.value_or(StudySpec()), row.algorithm,
+  static const StudySpec none;
+  run.choice = algorithm_choice(origin.spec ? *origin.spec : none, row.algorithm,
                                 parse_settings(row.options));
   if (!row.level.empty()) run.choice.level = parse_level(row.level);
   run.choice.certificate = certificate_of(row);

@@ -284,9 +284,12 @@ int calls_on(const std::string& folder, const std::string& command) {
 TEST(Collections, AreReadOnceForAllRowsThatAreReplayed) {
   const ScratchDirectory scratch;
   const std::string folder = scratch.path("c"), file = scratch.path("r.h5");
+  const std::string spec = scratch.write(
+      "s.toml",
+      "study = 's'\ngraphs_bytes = 1\n[[sweep]]\ngraphs = { files = 'c', name = 'c' }\n"
+      "algorithms = 'grid'\n");
   must("mkdir " + folder + "; for n in 5 6 7; do {} generate cycle -n $n -o " + folder +
-       "/$n.s6; done; {} study run -q --graphs " + folder + " --name c --algorithm grid -o " +
-       file);
+       "/$n.s6; done; {} study run -q " + spec + " -o " + file);
   expect_output(run("{} replay " + file + " --all"), "3 of 3 rows made again: 3 equal");
   const int calls = calls_on(folder, "{} replay " + file + " 0");
   EXPECT_GE(calls, 3) << "it is seen";

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +36,7 @@ void sort_by_key(std::vector<Item>& items, std::vector<Item>& buffer) {
   buffer.resize(items.size());
   for (unsigned shift = 0; shift < static_cast<unsigned>(std::bit_width(all));
        shift += kDigitBits) {
-    std::array<std::size_t, kDigit + 1> place{};
+    std::vector<std::size_t> place(kDigit + 1);  // 16 KiB, which a small stack has not
     for (const Item& item : items) ++place[(item.key >> shift) & kDigit];
     std::size_t begin = 0;
     for (auto& count : place) begin += std::exchange(count, begin);
