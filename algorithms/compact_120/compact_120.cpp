@@ -50,8 +50,8 @@ std::optional<Drawing> draw_narrow(const Graph& graph, const Tightness& first, s
         return size_bound().holds(box_of(size), graph.num_vertices());
       },
       [&](const Tightness& tightness, std::uint64_t i) {
-        return fill_narrow_strip(order, graph.num_edges(), tightness,
-                                 strips::NumbersAhead(seed, i), census);
+        return fill_narrow_strip(order, graph.num_edges(), tightness, strips::NumbersAhead(seed, i),
+                                 census);
       },
       census);
   if (!strip) return std::nullopt;

@@ -72,7 +72,8 @@ const frontPart = () => {
     {name: "Share", value: row => row.share, show: row => percent(row.share)},
     {name: "Closest graph", show: row => row.closest_row === null ? "\u2013" : graphButton(row.closest_row, `${row.closest_family}, ${graphText(row.closest_row, row.closest_n)}`)},
     column("Families", "families"),
-    {name: "Graphs", value: row => row.drawn, show: row => row.drawn === row.graphs ? count(row.graphs) : `${count(row.drawn)} of ${count(row.graphs)}`}, column("Largest n", "largest_n"), {name: "Violations", value: row => row.violations, show: violations},
+    {name: "Graphs", value: row => row.drawn, show: row => row.drawn === row.graphs ? count(row.graphs) : `${count(row.drawn)} of ${count(row.graphs)}`},
+    column("Largest n", "largest_n"), {name: "Violations", value: row => row.violations, show: violations},
     exponent("Side ~ n^a", "longest side"), exponent("Volume ~ n^a", "volume"), exponent("Time ~ n^a", "drawing time")], settings.map((row, place) => ({...row, place}))));
   const promises = rowsOf("promises");
   if (!promises.length) return;

@@ -131,8 +131,7 @@ TEST(Collection, TheMedianOfTwoValuesIsTheirMiddle) {
     run.log2_volume = run.instance_index == 0 ? 3 : 5;
   }
   const auto groups = of_volume(tables_of(results)["group_medians"], 0);
-  EXPECT_NEAR(rows_with(groups, "group", "two").at(0)["median"], 20, 1e-6)
-      << "of 8 and 32";
+  EXPECT_NEAR(rows_with(groups, "group", "two").at(0)["median"], 20, 1e-6) << "of 8 and 32";
 }
 
 TEST(Collection, FewGraphsOfAFileAreNone) {

@@ -36,7 +36,8 @@ TEST(Gml, ReadsNodesInTheirOrderWithLabels) {
 
 TEST(Gml, IsRefusedWithItsPlace) {
   const std::pair<const char*, const char*> cases[] = {
-      {"graph [ directed 1 ]", "f:1:9: only undirected graphs are read (--undirected drops directions), not 'directed'"},
+      {"graph [ directed 1 ]",
+       "f:1:9: only undirected graphs are read (--undirected drops directions), not 'directed'"},
       {"graph [\n node [ id 1 ] node [ id 1 ] ]", "f:2:16: id '1' stands twice: the second 'node'"},
       {"graph [ node [ label \"x\" ] ]", "f:1:9: no id in a 'node'"},
       {"graph [ edge [ source 1 target 2 ] ]",
@@ -68,7 +69,8 @@ TEST(Dot, ReadsChainsSubgraphsPortsAndAttributes) {
 
 TEST(Dot, IsRefusedWithItsPlace) {
   const std::pair<const char*, const char*> cases[] = {
-      {"digraph { a -> b }", "f:1:1: only undirected graphs are read (--undirected drops directions), not 'digraph'"},
+      {"digraph { a -> b }",
+       "f:1:1: only undirected graphs are read (--undirected drops directions), not 'digraph'"},
       {"graph { a -> b }", "f:1:11: only undirected edges are read, not '->'"},
       {"graph { a -- a }", "f:1:11: edge ('a', 'a') is a loop"},
       {"strict graph { a -- a }", "f:1:18: edge ('a', 'a') is a loop"},
