@@ -67,7 +67,6 @@ std::vector<BadInput> bad_inputs() {
        "{} draw @ --algorithm diamond --colour red -o @.jsonl",
        "Dhc\n",
        {"--colour"}},
-      {"no_verb", "{}", "", {"subcommand"}},
       {"unwritable_output",
        "{} draw @ --algorithm diamond -o /no/such/dir/out",
        "Dhc\n",
