@@ -32,7 +32,7 @@ function(ar3d_package component name section depends summary description)
 endfunction()
 
 ar3d_package(program ar3d science "" "proved 3D drawings of low-degree graphs with optimal angles"
-  "Draws graphs of maximum degree 3 and 4 in three dimensions with the best\npossible angles, proves every drawing in exact integers and studies how\ndrawings scale.")
+  "Draws graphs of maximum degree 3 and 4 in three dimensions with the best\npossible angles, proves drawings right in exact integers and studies how\ndrawings scale.")
 ar3d_package(dev libar3d-dev libdevel
   "libboost-dev, libcli11-dev, libfmt-dev, libhdf5-dev, liblzma-dev, libpugixml-dev, libtomlplusplus-dev, libxxhash-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev"
   "proved 3D drawings of low-degree graphs (C++ libraries)"
