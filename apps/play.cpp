@@ -28,7 +28,7 @@ std::filesystem::path installed_page() {
   std::error_code error;
   const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   for (const char* place : {"../share/ar3d/play.html", "../../playground/play.html"}) {
-    const auto page = (folder / place).lexically_normal();
+    auto page = (folder / place).lexically_normal();
     if (std::filesystem::is_regular_file(page, error)) return page;
   }
   throw InputError(

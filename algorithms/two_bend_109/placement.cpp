@@ -102,7 +102,7 @@ class VertexPlacer {
     is_placed_.assign(graph_.num_vertices(), false);
     legs_.assign(parts_.size(), {});
     drawn_.middles.reserve(graph_.num_edges());
-    drawn_.stubs.reserve(4 * graph_.num_vertices());
+    drawn_.stubs.reserve(std::size_t{4} * graph_.num_vertices());
     owner_ = 0;
     for (const Vertex v : layout_.order) {
       if (!place_vertex(v)) return false;

@@ -149,7 +149,9 @@ std::size_t lie_in(char* said, std::size_t size, long call) {
   if (lie == 7 && call == 2) std::memset(said, 0xff, size);
   if (lie == 8 && call == 4) std::memset(said, 0, size);
   if (lie == 9 && call == 4) std::memset(said, 0xff, size);
-  while (lie == 11 || (lie == 12 && call == 2)) pause();  // for ever
+  if (lie == 11 || (lie == 12 && call == 2)) {
+    for (;;) pause();
+  }
   if (lie == 10 && call >= 3 && call <= 4) return call == 3 ? (put_number(said, 0), size) : 0;
   return size;
 }
