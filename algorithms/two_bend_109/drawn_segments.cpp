@@ -213,8 +213,11 @@ class SlabSweep {
       std::swap(y0, y1);
     }
     const std::uint32_t first_row = cell(y0 - kMargin, rows_), last_row = cell(y1 + kMargin, rows_);
-    if (first_row == last_row) return enter_row(one, first_row, std::min(x0, x1), std::max(x0, x1));
     const double left = std::min(x0, x1), right = std::max(x0, x1);
+    if (first_row == last_row || y1 - y0 < kMargin) {  // flat: on the line between two rows
+      for (std::uint32_t row = first_row; row <= last_row; ++row) enter_row(one, row, left, right);
+      return;
+    }
     const double lean = (x1 - x0) / (y1 - y0);
     for (std::uint32_t row = first_row; row <= last_row; ++row) {
       // Where it enters the row and leaves it.
