@@ -146,7 +146,7 @@ void leave_out_empty_defaults(CLI::App& app) {
 
 int run(int argc, char** argv) {
   CLI::App app{
-      "Draws graphs of maximum degree 3 and 4 in 3D with optimal angles, and proves drawings right."};
+      "Draws graphs of degree at most 3 and 4 in 3D with optimal angles; proves them right."};
   app.name("ar3d");
   app.set_version_flag("-V,--version", ar3d::build_summary());
   app.require_subcommand(1);
