@@ -1,10 +1,8 @@
 // What docs/tutorial.md and docs/library.md print runs as it is printed; what is installed beside
 // the program works.
 #include <regex>
-#include <set>
 
 #include "support/program.h"
-#include "support/references.h"
 
 namespace ar3d::testing {
 namespace {
@@ -81,22 +79,6 @@ void expect_completion(const ScratchDirectory& folder, const std::string& shell,
   EXPECT_EQ(offered.out,
             "verify\nresume\ndiamond\n--tilt\ngraphml\ncycle\nsmoke\nslabs\nnamed-graphs\n")
       << shell << offered.err;
-}
-
-/// Every variable of the environment that anything in the tree reads is explained on one page.
-TEST(Contracts, ExplainEveryVariableThatIsRead) {
-  static const std::regex read(
-      R"re(getenv\("([A-Z_0-9]+)"|process\.env\.([A-Z_0-9]+)|environ\["([A-Z_0-9]+)"|\$\{([A-Z][A-Z_0-9]+):?[-+=])re");
-  std::set<std::string> names;
-  for (const auto& [path, text] : read_tree(AR3D_SOURCE_DIR).files) {
-    if (path.ends_with(".md")) continue;
-    for (std::sregex_iterator at(text.begin(), text.end(), read), end; at != end; ++at) {
-      names.insert(at->format("$1$2$3$4"));
-    }
-  }
-  EXPECT_GE(names.size(), 18u);
-  const std::string page = read_file(AR3D_SOURCE_DIR "/docs/contracts.md");
-  for (const std::string& name : names) EXPECT_THAT(page, HasSubstr("`" + name + "`"));
 }
 
 /// The table behind it names every verb with its meaning, and whatever has words for values.
