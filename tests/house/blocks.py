@@ -15,10 +15,10 @@ import tempfile
 
 # Pages whose blocks another test runs, and the part of the tree that says so.
 ELSEWHERE = {
-    "README.md": "tests/house/readme_test.cpp",
+    "README.md": "tests/house/pages.py",
     "CONTRIBUTING.md": "tests/house/walkthrough.py",
-    "docs/tutorial.md": "tests/house/pages_test.cpp",
-    "docs/library.md": "tests/house/pages_test.cpp",
+    "docs/tutorial.md": "tests/house/pages.py",
+    "docs/library.md": "tests/house/pages.py",
     "docs/cluster.md": "tests/apps/cluster_recipes.h",
     "docs/python.md": "tests/python/package_test.py",
     "examples/own_algorithm/README.md": "tests/house/own_algorithm.cmake",
