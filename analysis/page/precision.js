@@ -3,43 +3,46 @@ import {byId, count, distinct, duration, element, firstOf, grouped, number, perc
 import {folded, makeTable, withSmall} from "./tables.js";
 import {colour, figure} from "./charts.js";
 import {effortChart, effortTable} from "./compared.js";
+import {realStudy} from "./real.js";
 
-const kMostSentences = 40;
-const typeName = type => rowsOf("types")[type].type;
+const kMostSentences = 40, kMostPoints = 3000;
+let made;
+const real = () => made ??= realStudy(rowsOf("real_drawings"), rowsOf("bounds"), rowsOf("graphs"));
+const typeName = type => real().types[type].type;
 const limitText = limit => limit === 1 ? "1" : "10" + raised(Math.round(Math.log10(limit)));
 
 const missChart = unit => {
-  const about = firstOf("precision"), isMiss = unit === "miss", of = rows => [...grouped(rows.filter(row => row[unit] > 0), row => row.type)];
-  const predicted = isMiss ? [] : rowsOf("predicted_misses"), misses = of(rowsOf("misses"));
+  const about = real(), isMiss = unit === "miss", of = rows => [...grouped(rows.filter(row => row[unit] > 0), row => row.type)];
+  const predicted = isMiss ? [] : real().predicted, misses = of(real().misses);
   const points = rows => rows.map(row => ({x: row.n, y: row[unit], row: row.row}));
   return {file: isMiss ? "miss" : "miss-in-roundings", title: isMiss ? "Largest miss of an angle against n" : "The same in units of each type's rounding",
     note: isMiss ? about.family + ": medians, and one point per drawing" : `${about.family}: miss in radians \u00b7 2^p, p bits; shaded: \u03baC from the drawings in ${about.model} alone`,
     x: {title: "vertices n"}, y: {title: isMiss ? "largest miss in degrees" : "miss in roundings of the type", format: "power"},
     bands: predicted.length ? [{name: "predicted", points: predicted.map(row => ({x: row.n, low: row.low, high: row.high, median: row.median}))}] : [],
-    dots: misses.map(([type, rows]) => ({name: typeName(type), css: "points", stroke: colour(type), points: points(rows)})),
+    dots: misses.map(([type, rows]) => ({name: typeName(type), css: "points", stroke: colour(type), points: points(rows.slice(0, kMostPoints))})),
     symbols: misses.map(([type, rows]) => ({name: typeName(type) + " broken", css: "broken", fill: "var(--bound)", shape: "times", points: points(rows.filter(row => row.broken))})).filter(one => one.points.length),
-    lines: of(rowsOf("miss_medians")).map(([type, rows]) => ({name: typeName(type) + " median", label: typeName(type), stroke: colour(type), points: rows.map(row => ({x: row.n, y: row[unit]}))}))};
+    lines: of(real().medians).map(([type, rows]) => ({name: typeName(type) + " median", label: typeName(type), stroke: colour(type), points: rows.map(row => ({x: row.n, y: row[unit]}))}))};
 };
 
 const accuracyChart = () => {
-  const rows = rowsOf("accuracies").filter(row => row.time !== null && row.miss > 0), last = Math.max(...rows.map(row => row.n));
-  return {file: "accuracy-against-time", title: "What accuracy costs", note: firstOf("precision").family + ": medians, a line of types for each n; dashed: nothing is faster and more accurate",
+  const rows = real().accuracies.filter(row => row.time !== null && row.miss > 0), last = Math.max(...rows.map(row => row.n));
+  return {file: "accuracy-against-time", title: "What accuracy costs", note: real().family + ": medians, a line of types for each n; dashed: nothing is faster and more accurate",
     x: {title: "drawing time a vertex", format: "seconds"}, y: {title: "largest miss in degrees", format: "power"},
     lines: [...grouped(rows, row => row.n)].map(([n, those]) => ({name: `front at n = ${n}`, css: "front", stroke: "var(--muted)", dash: "3 3", width: 1.2, curve: "step-after",
       points: those.filter(row => row.front).sort((a, b) => a.time - b.time).map(row => ({x: row.time, y: row.miss}))})),
     symbols: rows.map(row => ({name: `${typeName(row.type)} at n = ${row.n}`, label: row.n === last ? typeName(row.type) : "", fill: colour(row.type), points: [{x: row.time, y: row.miss}]}))};
 };
-const accuracyTable = () => folded("Time and miss", true, element("p", {class: "muted"}, `Medians over the drawings of ${firstOf("precision").family}. CPU times are of the metrics phase, where rows ran beside others; ` +
+const accuracyTable = () => folded("Time and miss", true, element("p", {class: "muted"}, `Medians over the drawings of ${real().family}. CPU times are of the metrics phase, where rows ran beside others; ` +
   "times are ranked and drawn where a timing phase measured them."), makeTable([{name: "Type", show: row => typeName(row.type)}, {name: "n", value: row => row.n, show: row => count(row.n)},
   {name: "Largest miss, degrees", value: row => row.miss, show: row => number(row.miss)}, {name: "CPU time a vertex", value: row => row.cpu, show: row => duration(row.cpu)},
-  {name: "Drawing time a vertex", value: row => row.time, show: row => row.time === null ? "not timed" : duration(row.time)}], rowsOf("accuracies")));
+  {name: "Drawing time a vertex", value: row => row.time, show: row => row.time === null ? "not timed" : duration(row.time)}], real().accuracies));
 
 const placeText = (row, what) => ({inside: "n = " + count(row[what]), beyond: "n beyond " + count(row.last_n), least: "the least n, " + count(row.first_n)})[row[what + "_at"]];
 const kVerdictCss = {confirmed: "pass", refuted: "violated", open: "incomplete"};
 const verdictOf = row => element(row.verdict === "refuted" ? "b" : "span", {class: kVerdictCss[row.verdict]}, row.verdict);
 
 const onsetChart = () => {
-  const rows = rowsOf("onsets").filter(row => row.predicted !== null && row.seen !== null), all = rows.flatMap(row => [row.predicted, row.seen]);
+  const rows = real().onsets.filter(row => row.predicted !== null && row.seen !== null), all = rows.flatMap(row => [row.predicted, row.seen]);
   const [low, high] = [Math.min(...all), Math.max(...all)];
   const diagonal = (name, factor, stroke) => ({name, css: factor === 1 ? "bound" : "front", stroke, dash: "7 4", width: 1.3, points: [{x: Math.max(low, low / factor), y: Math.max(low * factor, low)},
     {x: Math.min(high, high / factor), y: Math.min(high * factor, high)}]});
@@ -49,7 +52,7 @@ const onsetChart = () => {
 };
 
 const onsetPart = () => {
-  const rows = rowsOf("onsets"), about = firstOf("precision");
+  const rows = real().onsets, about = real();
   if (!rows.length) return [];
   const told = [...rows.filter(row => row.family === about.family), ...rows.filter(row => row.family !== about.family && row.verdict === "refuted")];
   const sentence = row => element("li", {}, `${typeName(row.type)} passes ${limitText(row.limit)} degrees on ${row.family} at ${placeText(row, "seen")}; predicted at ${placeText(row, "predicted")}: `, verdictOf(row), ".",
@@ -70,23 +73,23 @@ const shareTable = () => {
     "Arithmetic mean over the drawings of the share of a drawing's angles that miss by at most so many degrees, and (grey) share of drawings all of whose angles do, over all families. " +
     "Broken: drawings with a crossing or a segment of length zero."), makeTable([{name: "Type", show: row => typeName(row.type)}, {name: "n", value: row => row.n, show: row => count(row.n)},
     {name: "Drawings", value: row => row.drawings, show: row => count(row.drawings)}, within("1e_12"), within("1e_9"), within("1e_6"), within("1e_3"), {name: "Broken", value: row => row.broken, show: row => count(row.broken)}],
-      rowsOf("miss_shares")));
+      real().shares));
 };
 
 const familyTable = () => {
-  const families = [...grouped(rowsOf("largest_misses"), row => row.family).values()], of = (family, type) => family.find(row => row.type === type);
+  const families = [...grouped(real().largest, row => row.family).values()], of = (family, type) => family.find(row => row.type === type);
   return folded("Families", true, element("p", {class: "muted"}, "Largest miss in degrees over the graphs of the largest n, by type; C is the median condition, log2 of which is the number of bits that angles lose."),
     makeTable([{name: "Family", show: family => family[0].family}, {name: "n", value: family => family[0].n, show: family => count(family[0].n)},
-      ...rowsOf("types").map((type, i) => ({name: type.type, value: family => of(family, i)?.miss ?? null, show: family => number(of(family, i)?.miss, 2)})),
+      ...real().types.map((type, i) => ({name: type.type, value: family => of(family, i)?.miss ?? null, show: family => number(of(family, i)?.miss, 2)})),
       {name: "log2 C", value: family => family[0].bits_lost, show: family => number(family[0].bits_lost)}], families));
 };
 
 const realPart = () => {
-  const about = firstOf("precision"), types = rowsOf("miss_medians");
+  const about = real(), types = about.medians, leftOut = firstOf("precision").left_out;
   if (!about.drawings) return [];
-  const charts = [types.some(row => row.miss > 0) && (() => missChart("miss")), about.predictors > 0 && (() => missChart("roundings")), rowsOf("accuracies").some(row => row.time !== null && row.miss > 0) && accuracyChart];
+  const charts = [types.some(row => row.miss > 0) && (() => missChart("miss")), about.predictors > 0 && (() => missChart("roundings")), real().accuracies.some(row => row.time !== null && row.miss > 0) && accuracyChart];
   return [element("p", {}, `${count(about.drawings)} drawings in real types, judged without tolerance: their coordinates are dyadic rationals, every inner product and every decision is exact. ` +
-    `${count(about.broken)} of them are broken, by a crossing or a segment of length zero.` + (about.left_out ? ` ${count(about.left_out)} more rows were left out.` : "")),
+    `${count(about.broken)} of them are broken, by a crossing or a segment of length zero.` + (leftOut ? ` ${count(leftOut)} more rows were left out.` : "")),
   about.predictors > 0 ? element("p", {}, "A coordinate rounded to p bits turns an angle by about \u03ba 2", element("sup", {}, "\u2212p"),
     ` C radians, C being the drawing's condition. From ${count(about.predictors)} drawings in ${about.model}: ` +
     `\u03ba has the median ${number(about.kappa, 2)}, and eight in ten lie between ${number(about.kappa_low, 2)} and ${number(about.kappa_high, 2)}. What the other types miss is predicted with these.`) : null,

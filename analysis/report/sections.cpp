@@ -133,7 +133,7 @@ Table GraphList::table(const std::map<std::size_t, std::size_t>& drawings,
                {"side", "", "longest side over n to the order of its bound", number, 5},
                {"volume", "", "volume over n to the order of its bound", number, 5},
                {"time", "s", "drawing time over n; of the timing phase only", number, 5},
-               {"seconds", "s", "drawing time, median; of the timing phase only", number, 3}}};
+               {"seconds", "s", "drawing time, median; of the timing phase only", number, 5}}};
   static const std::array<std::array<const char*, 3>, 4> kNames = {
       {{"x", "y", "z"},
        {"own_x", "own_y", "own_z"},

@@ -11,6 +11,7 @@
 import argparse
 import contextlib
 import json
+import math
 import os
 import pathlib
 import re
@@ -130,13 +131,28 @@ def draw_profile(axes, tables, settings):
     legend(axes)
 
 
+def real_type(curve):
+    """Returns the name of the real type that a curve's drawings are in; of any other setting its name."""
+    options = re.sub(r"(^|;)level=.*$", "", curve["options"] or "")
+    known = re.fullmatch("type=([0-4])", options) if curve["algorithm"] == "two-bend-paper" else None
+    return ("float", "double", "binary80", "binary128", "237 bits")[int(known[1])] if known else curve["algorithm"] + (f" ({options})" if options else "")
+
+
 def draw_precision(axes, tables, _settings):
-    """Draws the largest miss of an angle against n, medians by real type."""
-    rows = [row for row in tables["miss_medians"] if row["miss"]]
-    if not rows:
+    """Draws the largest miss of an angle against n, medians by real type, of the family with most drawings."""
+    families, curves = {}, tables["bounds"]
+    for row in tables["real_drawings"]:
+        families.setdefault((curves[row["curve"]]["family"], curves[row["curve"]]["parameters"]), []).append(row)
+    if not families:
         raise Refused("--quantity precision: the study has no drawings in real types")
-    draw_lines(axes, rows, lambda row: tables["types"][row["type"]]["type"], "n", "miss")
-    axes.set(xscale="log", yscale="log", xlabel="vertices $n$", ylabel="largest miss in degrees", title=tables["precision"][0]["family"])
+    (family, parameters), drawings = max(sorted(families.items()), key=lambda item: len(item[1]))
+    misses = {}
+    for row in drawings:
+        misses.setdefault((real_type(curves[row["curve"]]), row["n"]), []).append(float("inf") if row["miss"] is None else row["miss"])
+    medians = [{"type": name, "n": n, "miss": math.sqrt(statistics.median_low(values) * statistics.median_high(values))} for (name, n), values in misses.items()]
+    draw_lines(axes, [row for row in medians if row["miss"]], lambda row: row["type"], "n", "miss")
+    title = f"{family} ({parameters})" if parameters else family
+    axes.set(xscale="log", yscale="log", xlabel="vertices $n$", ylabel="largest miss in degrees", title=title)
     legend(axes)
 
 

@@ -77,9 +77,9 @@ TEST(Report, EveryTableSaysWhatItsColumnsAre) {
       EXPECT_STRNE(column.meaning, "") << table.name << ' ' << column.name;
     }
   }
-  for (const char* name :
-       {"verdict", "findings", "settings", "promises", "bounds", "growth", "curves", "trade",
-        "crossings", "profile", "pairs", "bins", "scaling", "precision", "onsets", "since"}) {
+  for (const char* name : {"verdict", "findings", "settings", "promises", "bounds", "growth",
+                           "curves", "trade", "crossings", "profile", "pairs", "bins", "scaling",
+                           "precision", "real_drawings", "since"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
 }
