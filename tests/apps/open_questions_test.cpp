@@ -142,27 +142,6 @@ TEST(OpenQuestions, TheSumExcludesOneBendForK5Alone) {
   EXPECT_EQ(sums.find(": excluded"), sums.rfind(": excluded")) << sums;
 }
 
-/// The search of docs/open-questions, compiled once a process.
-class SmallDrawingsSearch : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    scratch = new ScratchDirectory;
-    expect_exit(0, run("c++ -O2 -std=c++20 -ffp-contract=off " + kQuestions +
-                       "small_drawings.cpp -o " + scratch->path("search")));
-  }
-  static void TearDownTestSuite() {
-    delete scratch;
-    scratch = nullptr;
-  }
-  static Outcome search(const std::string& arguments) {
-    return run(scratch->path("search") + " " + arguments);
-  }
-
- private:
-  static ScratchDirectory* scratch;
-};
-ScratchDirectory* SmallDrawingsSearch::scratch = nullptr;
-
 TEST(OpenQuestions, SmallDrawingsAreCertified) {
   const std::string file = kQuestions + "small_drawings.jsonl";
   expect_output(run("{} verify " + file + " --algorithm two-bend-109"), "3 certified, 0 violated");
@@ -178,17 +157,15 @@ TEST(OpenQuestions, SmallDrawingsHaveTheBoxesStated) {
   for (const std::string& box : boxes) EXPECT_THAT(page, HasSubstr(box));
 }
 
-TEST_F(SmallDrawingsSearch, FindsTheCommittedDrawingOfTheComplementOfC7Again) {
-  const Outcome made = expect_exit(0, search("FUzro 60 9 12 2000000 0.15"));
-  EXPECT_THAT(made.err, HasSubstr("box 12 x 12 x 14"));
-  EXPECT_THAT(read_file(kQuestions + "small_drawings.jsonl"), EndsWith("\n" + made.out));
-}
-
-TEST_F(SmallDrawingsSearch, RefusesBadArgumentsAndSaysWhenItFindsNothing) {
-  expect_exit(1, search("'D~{' 2 1 1 1000 0.1"));
+TEST(OpenQuestions, TheSearchFindsADrawingOrSaysThatItFindsNone) {
+  const std::string search = "/usr/bin/python3 " + kQuestions + "small_drawings.py ";
+  const Outcome made = run(search + "C~ 40 9 1 100000 0.1 | {} verify - --algorithm two-bend-109");
+  expect_output(made, "1 certified, 0 violated");
+  EXPECT_THAT(made.err, HasSubstr("box 9 x 7 x 7"));
+  expect_exit(1, run(search + "'D~{' 2 1 1 1000 0.1"));
   for (const char* bad : {"'D~{' 2 1 1 1000", "'D~' 9 9 1 1000 0.1", "'E~~w' 9 9 1 1000 0.1",
                           "'D~{' 0 9 1 1000 0.1", "'D~{' 9 200 1 1000 0.1"}) {
-    expect_error(search(bad), "usage: small_drawings");
+    expect_error(run(search + bad), "usage: small_drawings");
   }
 }
 
