@@ -7,13 +7,6 @@
 namespace ar3d::compact_120 {
 namespace {
 
-Class class_of(const Graph& graph, const Order& order, Vertex v) {
-  if (graph.degree(v) != 3) return Class::n;
-  int right = 0;
-  for (const HalfEdge& edge : graph.incident(v)) right += order.is_right(v, edge.to) ? 1 : 0;
-  return right == 3 ? Class::s : right == 0 ? Class::t : Class::n;
-}
-
 /// The arm other than 12 at which an edge from that side may arrive.
 Arm side_arm(Class of, bool from_right) {
   if (of == Class::n) return from_right ? k01 : k20;
@@ -54,15 +47,6 @@ void tell_arrivals(Links& links, std::size_t num_edges) {
   }
 }
 
-ArmLink link_of(const HalfEdge& edge, bool out, bool right) {
-  ArmLink link;
-  link.to = edge.to;
-  link.edge = edge.edge & 0xfffffffu;
-  link.is_out = out ? 1 : 0;
-  link.is_right = right ? 1 : 0;
-  return link;
-}
-
 }  // namespace
 
 Links assign_arms(const Graph& graph, const Order& order, const Owners& owners) {
@@ -71,19 +55,22 @@ Links assign_arms(const Graph& graph, const Order& order, const Owners& owners) 
   links.at.resize(graph.num_vertices());
   links.of.resize(graph.num_vertices());
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    links.of[v] = class_of(graph, order, v);
+    const unsigned rights = owners.right_edges(v);
+    const std::span<const HalfEdge> row = graph.incident(v);
+    if (row.size() == 3 && (rights == 0 || rights == 7)) {
+      links.of[v] = rights == 7 ? Class::s : Class::t;
+    }
     std::array<ArmLink, 3> arrivals;
     std::size_t count = 0;
-    for (const HalfEdge& edge : graph.incident(v)) {
-      const bool right = order.is_right(v, edge.to);
-      const ArmLink link = link_of(edge, owners.tail[edge.edge] == v, right);
-      if (link.is_out == 0) {
-        arrivals[count++] = link;
-        continue;
-      }
-      ArmLink& own = links.at[v][right ? k01 : k20];
-      expect(!own.is_set(), "a vertex owns one edge per side");
-      own = link;
+    for (unsigned k = 0; k < row.size(); ++k) {
+      const unsigned right = rights >> k & 1;
+      const bool out = owners.owns(v, k);
+      ArmLink& link = out ? links.at[v][right != 0 ? k01 : k20] : arrivals[count++];
+      expect(!link.is_set(), "a vertex owns one edge per side");
+      link.to = row[k].to;
+      link.edge = row[k].edge & 0xfffffffu;
+      link.is_out = out ? 1 : 0;
+      link.is_right = right & 1u;
     }
     assign_arrivals(links.of[v], order, arrivals, count, links.at[v]);
   }

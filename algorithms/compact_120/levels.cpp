@@ -59,116 +59,104 @@ constexpr std::array<std::array<PerLevel, kStates>, kLevels> kExtremes = extreme
 /// all four levels at once.
 class Sweeper {
  public:
-  Sweeper(const Graph& graph, const strips::NumbersAhead& random)
-      : graph_(graph), random_(random), state_(graph.num_vertices(), 0) {
-    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      ask_ahead(v);
-      const unsigned used = levels_of_neighbours(v);
+  Sweeper(const LongVector<Row>& rows, const strips::NumbersAhead& random)
+      : rows_(rows), random_(random), state_(rows.size(), 0) {
+    for_each(rows, [&](const Row& row) {
+      const unsigned used = levels_of_neighbours(row);
       unsigned level = random_level();
       while ((used >> level & 1) != 0) level = random_level();
-      state_[v] = static_cast<std::uint8_t>(level);
-    }
-    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      ask_ahead(v);
+      state_[row.v] = static_cast<std::uint8_t>(level);
+    });
+    for_each(rows, [&](const Row& row) {
       unsigned left = 0;
-      for (const HalfEdge& edge : graph.incident(v)) {
-        left += level_of(state_[edge.to]) < level_of(state_[v]) ? 1 : 0;
+      for (const HalfEdge& edge : row.edges()) {
+        left += level_of(state_[edge.to]) < level_of(state_[row.v]) ? 1 : 0;
       }
-      state_[v] = static_cast<std::uint8_t>(state_[v] | left * kOneLeft |
-                                            (graph.degree(v) == 3 ? kDegree3 : 0));
-    }
+      state_[row.v] = static_cast<std::uint8_t>(state_[row.v] | left * kOneLeft |
+                                                (row.degree == 3 ? kDegree3 : 0));
+    });
   }
 
   void sweep() {
-    for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
-      ask_ahead(v);
-      improve(v);
-    }
+    for_each(rows_, [&](const Row& row) { improve(row); });
   }
 
-  /// Some vertices and their neighbours, from a new random start: there the sweeps are stuck.
-  /// @return the vertices whose rank in order() may have changed, with this rank.
-  std::vector<RankChange> repair(const std::vector<Vertex>& vertices) {
+  /// Some vertices and their neighbours, from a new random start: there the sweeps are stuck. Their
+  /// rows are copied, so that all but the first pass read them forwards.
+  /// @return the vertices that moved, and their neighbours.
+  const std::vector<Vertex>& repair(const std::vector<Vertex>& vertices) {
     is_repairing_ = true;
     for (const Vertex v : touched_) state_[v] = static_cast<std::uint8_t>(state_[v] & ~kTouched);
     touched_.clear();
+    LongVector<Row> rows;
+    rows.reserve(4 * vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      ask_ahead(vertices, i);
-      const Vertex v = vertices[i];
-      const unsigned used = levels_of_neighbours(v);
+      if (i + 2 * kAhead < vertices.size()) __builtin_prefetch(&rows_[vertices[i + 2 * kAhead]]);
+      if (i + kAhead < vertices.size()) {
+        for (const HalfEdge& edge : rows_[vertices[i + kAhead]].edges()) {
+          __builtin_prefetch(&rows_[edge.to]);
+        }
+      }
+      const Row& row = rows_[vertices[i]];
+      rows.push_back(row);
+      for (const HalfEdge& edge : row.edges()) rows.push_back(rows_[edge.to]);
       const unsigned level = random_level();
-      if ((used >> level & 1) == 0) move(v, level);
+      if ((levels_of_neighbours(row) >> level & 1) == 0) move(row, level);
     }
     for (int sweep = 0; sweep < kSweepsOfRepair; ++sweep) {
-      for (std::size_t i = 0; i < vertices.size(); ++i) {
-        ask_ahead(vertices, i);
-        improve(vertices[i]);
-        for (const HalfEdge& edge : graph_.incident(vertices[i])) improve(edge.to);
-      }
+      for_each(rows, [&](const Row& row) { improve(row); });
     }
-    std::vector<RankChange> changes;
-    changes.reserve(touched_.size());
-    for (const Vertex v : touched_) changes.push_back({v, rank_in_order(v)});
-    return changes;
+    return touched_;
   }
 
   /// The order, sources of degree 3 at the lowest level, sinks at the highest one.
   Order order() const {
     Order result;
     result.rank.reserve(state_.size());
-    for (Vertex v = 0; v < graph_.num_vertices(); ++v) result.rank.push_back(rank_in_order(v));
+    for (const unsigned state : state_) {
+      const unsigned left = (state & kDegree3) == 0 ? 1 : left_of(state);
+      const unsigned level = left == 0 ? 0 : left == 3 ? kLevels - 1 : level_of(state);
+      result.rank.push_back(static_cast<std::uint16_t>(level));
+    }
     return result;
   }
 
  private:
-  void ask_ahead(Vertex v) const {
-    constexpr Vertex kAhead = 16;
-    if (v + kAhead >= graph_.num_vertices()) return;
-    for (const HalfEdge& edge : graph_.incident(v + kAhead)) __builtin_prefetch(&state_[edge.to]);
-  }
+  static constexpr std::uint32_t kAhead = 16;
 
-  void ask_ahead(const std::vector<Vertex>& vertices, std::size_t i) const {
-    constexpr std::size_t kNear = 12, kFar = 24;
-    if (i + kFar < vertices.size()) {
-      __builtin_prefetch(graph_.incident(vertices[i + kFar]).data());
-    }
-    if (i + kNear >= vertices.size()) return;
-    for (const HalfEdge& edge : graph_.incident(vertices[i + kNear])) {
-      __builtin_prefetch(&state_[edge.to]);
-      __builtin_prefetch(graph_.incident(edge.to).data());
+  template <class Visit>
+  void for_each(const LongVector<Row>& rows, Visit visit) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (i + kAhead < rows.size()) {
+        for (const HalfEdge& edge : rows[i + kAhead].edges()) __builtin_prefetch(&state_[edge.to]);
+      }
+      visit(rows[i]);
     }
   }
 
   unsigned random_level() { return random_.below(kLevels); }
 
-  std::uint32_t rank_in_order(Vertex v) const {
-    const unsigned state = state_[v];
-    if ((state & kDegree3) != 0 && left_of(state) == 0) return 0;
-    if ((state & kDegree3) != 0 && left_of(state) == 3) return kLevels - 1;
-    return level_of(state);
-  }
-
   /// A bit for each.
-  unsigned levels_of_neighbours(Vertex v) const {
+  unsigned levels_of_neighbours(const Row& row) const {
     unsigned used = 0;
-    for (const HalfEdge& edge : graph_.incident(v)) used |= 1u << level_of(state_[edge.to]);
+    for (const HalfEdge& edge : row.edges()) used |= 1u << level_of(state_[edge.to]);
     return used;
   }
 
-  /// Moves v to the level with the fewest sources and sinks among it and its neighbours, a random
-  /// one of equals: standing still would end in a poor order.
-  void improve(Vertex v) {
-    const unsigned own = level_of(state_[v]);
+  /// Moves a vertex to the level with the fewest sources and sinks among it and its neighbours, a
+  /// random one of equals: standing still would end in a poor order.
+  void improve(const Row& row) {
+    const unsigned own = level_of(state_[row.v]);
     unsigned used = 1u << own;
     unsigned extremes = 0;
-    unsigned left = 0;  // of v
-    for (const HalfEdge& edge : graph_.incident(v)) {
+    unsigned left = 0;  // of the vertex
+    for (const HalfEdge& edge : row.edges()) {
       const unsigned state = state_[edge.to];
       used |= 1u << level_of(state);
       extremes += kExtremes[own][state % kStates];
       left += kBeyond[level_of(state)];
     }
-    if ((state_[v] & kDegree3) != 0) extremes += is_0_or_3(left);
+    if ((state_[row.v] & kDegree3) != 0) extremes += is_0_or_3(left);
     unsigned best = own;
     unsigned fewest = extremes >> 4 * own & 15;
     const unsigned first = random_level();
@@ -179,25 +167,25 @@ class Sweeper {
       best = better ? level : best;
       fewest = better ? found : fewest;
     }
-    move(v, best);
+    move(row, best);
   }
 
-  void move(Vertex v, unsigned level) {
-    const unsigned own = level_of(state_[v]);
+  void move(const Row& row, unsigned level) {
+    const unsigned own = level_of(state_[row.v]);
     if (level == own) return;
     unsigned left = 0;
-    for (const HalfEdge& edge : graph_.incident(v)) {
-      const unsigned state = state_[edge.to];
+    for (const HalfEdge& edge : row.edges()) {
+      std::uint8_t& state = state_[edge.to];
       const unsigned other = level_of(state);
       const unsigned more = (level < other ? 1u : 0u) - (own < other ? 1u : 0u);
-      state_[edge.to] = static_cast<std::uint8_t>(state + more * kOneLeft);
+      state = static_cast<std::uint8_t>(state + more * kOneLeft);
       left += other < level ? 1 : 0;
     }
-    state_[v] =
-        static_cast<std::uint8_t>((state_[v] & (kDegree3 | kTouched)) | level | left * kOneLeft);
+    state_[row.v] = static_cast<std::uint8_t>((state_[row.v] & (kDegree3 | kTouched)) | level |
+                                              left * kOneLeft);
     if (!is_repairing_) return;
-    touch(v);
-    for (const HalfEdge& edge : graph_.incident(v)) touch(edge.to);
+    touch(row.v);
+    for (const HalfEdge& edge : row.edges()) touch(edge.to);
   }
 
   void touch(Vertex v) {
@@ -206,7 +194,7 @@ class Sweeper {
     touched_.push_back(v);
   }
 
-  const Graph& graph_;
+  const LongVector<Row>& rows_;
   strips::NumbersAhead random_;
   LongVector<std::uint8_t> state_;  ///< by vertex
   bool is_repairing_ = false;
@@ -228,7 +216,7 @@ std::vector<Position> positions_by_paths(const Graph& graph, const Order& order)
   Order reversed = order;
   const std::uint32_t most =
       order.rank.empty() ? 0 : *std::max_element(order.rank.begin(), order.rank.end());
-  for (std::uint32_t& rank : reversed.rank) rank = most - rank;
+  for (std::uint16_t& rank : reversed.rank) rank = static_cast<std::uint16_t>(most - rank);
   const Order after = in_levels(graph, reversed);
   std::vector<Position> position(order.rank.size(), 50);
   for (std::size_t v = 0; v < position.size(); ++v) {
@@ -241,20 +229,23 @@ std::vector<Position> positions_by_paths(const Graph& graph, const Order& order)
 }  // namespace
 
 NarrowOrder narrow_order(const Graph& graph, const strips::NumbersAhead& random, int repairs) {
-  Sweeper sweeper(graph, random);
+  const LongVector<Row> rows = rows_of(graph);
+  Sweeper sweeper(rows, random);
   for (int i = 0; i < kSweeps; ++i) sweeper.sweep();
-  ChangingOwners changing(graph, sweeper.order());
+  Order order = sweeper.order();
+  ChangingOwners changing(rows, order);
   const std::vector<Vertex>& crowded = changing.owners().crowded;
   for (int i = 0; i < repairs && !crowded.empty(); ++i) {
-    changing.change(sweeper.repair(crowded));
+    const std::vector<Vertex>& moved = sweeper.repair(crowded);
+    order = sweeper.order();
+    changing.change(order, moved);
   }
   NarrowOrder result;
-  result.position = positions_by_level(changing.order());
+  result.position = positions_by_level(order);
   if (crowded.empty()) {
-    result.links = assign_arms(graph, changing.order(), changing.owners());
+    result.links = assign_arms(graph, order, changing.owners());
     return result;
   }
-  Order order = changing.order();
   const Components components = connected_components_of(graph);
   std::vector<bool> is_crowded(components.count, false);
   for (const Vertex v : crowded) is_crowded[components.of[v]] = true;

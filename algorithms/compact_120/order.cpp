@@ -73,14 +73,17 @@ Order moved_order(const Graph& graph) {
   const std::vector<std::uint8_t> colours = distance_two_colours(graph);
   Order order;
   order.rank.reserve(colours.size());
-  for (const std::uint8_t colour : colours) order.rank.push_back(kColourStep * (colour + 1u));
+  const auto rank_of = [](std::uint32_t rank) { return static_cast<std::uint16_t>(rank); };
+  for (const std::uint8_t colour : colours) {
+    order.rank.push_back(rank_of(kColourStep * (colour + 1u)));
+  }
   const Mover mover(graph, order);
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     if (!mover.may_move(v, true)) continue;
-    order.rank[v] = order.rank[mover.nearest(v, true)] + kSourceStep * (colours[v] + 1u);
+    order.rank[v] = rank_of(order.rank[mover.nearest(v, true)] + kSourceStep * (colours[v] + 1u));
   }
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    if (mover.may_move(v, false)) order.rank[v] = order.rank[mover.nearest(v, false)] - 1;
+    if (mover.may_move(v, false)) order.rank[v] = rank_of(order.rank[mover.nearest(v, false)] - 1u);
   }
   return order;
 }
@@ -95,7 +98,8 @@ Order in_levels(const Graph& graph, const Order& order) {
   for (const Vertex v : by_rank) {
     for (const HalfEdge& edge : graph.incident(v)) {
       if (!order.is_right(edge.to, v)) continue;
-      levels.rank[v] = std::max(levels.rank[v], levels.rank[edge.to] + 1);
+      levels.rank[v] =
+          std::max(levels.rank[v], static_cast<std::uint16_t>(levels.rank[edge.to] + 1));
     }
   }
   return levels;

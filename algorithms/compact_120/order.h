@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "ar3d/algorithms/compact_120/letters.h"
@@ -13,9 +14,18 @@ namespace ar3d::compact_120 {
 
 /// Holds which end of an edge is to the left: the one of smaller rank. Adjacent ranks differ.
 struct Order {
-  LongVector<std::uint32_t> rank;  ///< by vertex
+  LongVector<std::uint16_t> rank;  ///< by vertex
   bool is_right(Vertex from, Vertex to) const { return rank[to] > rank[from]; }
 };
+
+/// A vertex and its edges, in half a cache line: read at random, it costs one wait for memory.
+struct alignas(32) Row {
+  std::array<HalfEdge, 3> half{};
+  Vertex v = 0;
+  std::uint32_t degree = 0;
+  std::span<const HalfEdge> edges() const { return {half.data(), degree}; }
+};
+LongVector<Row> rows_of(const Graph& graph);
 
 /// Greedy colouring in order of vertex numbers in which vertices at distance 1 or 2 differ: colours
 /// 0 .. 9 for maximum degree 3. O(n).
@@ -32,10 +42,20 @@ Order in_levels(const Graph& graph, const Order& order);
 /// Every edge belongs to one of its ends, its tail; a vertex owns at most one edge to the right and
 /// at most one to the left.
 struct Owners {
-  LongVector<Vertex> tail;  ///< by edge
+  /// By vertex, its right side, then its left one: a bit for each of its edges that is there, in the
+  /// order of the graph's row, and above them which of these it owns (0 to 2, or kNothing).
+  LongVector<std::uint8_t> sides;
   /// The vertices of all components of the slot graph that have two cycles: there some vertices own
   /// two edges on one side, so the owners cannot be used. Empty after the moves (Lemma D.8).
   std::vector<Vertex> crowded;
+
+  static constexpr unsigned kNothing = 3;
+  unsigned right_edges(Vertex v) const { return sides[2 * std::size_t{v}] & 7u; }
+  /// Whether v owns the edge at place k of its row.
+  bool owns(Vertex v, unsigned k) const {
+    const std::size_t right = 2 * std::size_t{v};
+    return sides[right] >> 3 == k || sides[right + 1] >> 3 == k;
+  }
 };
 
 /// Step D.4. A node of the slot graph is a vertex and one of its sides; an edge joins the right
@@ -44,51 +64,42 @@ struct Owners {
 /// O(n).
 Owners choose_owners(const Graph& graph, const Order& order);
 
-struct RankChange {
-  Vertex vertex = 0;
-  std::uint32_t rank = 0;
-};
-
 /// choose_owners for an order that changes: components of the slot graph that stay are not searched
-/// again.
+/// again where few change.
 class ChangingOwners {
  public:
-  /// O(n). @param graph  outlives this.
-  ChangingOwners(const Graph& graph, Order order);
-  /// Gives vertices new ranks, such that adjacent ones differ after all of them. O(the components
-  /// of the slot graph that change), and a sort of the crowded ones.
-  void change(const std::vector<RankChange>& changes);
+  /// O(n). @param rows  outlive this.
+  ChangingOwners(const LongVector<Row>& rows, const Order& order);
+  /// Goes over to another order. O(the components of the slot graph that change).
+  /// @param vertices  all those with an edge whose ends have changed sides.
+  void change(const Order& order, const std::vector<Vertex>& vertices);
 
-  const Order& order() const { return order_; }
-  /// choose_owners(graph, order()).
+  /// choose_owners(graph, order) of the last order.
   const Owners& owners() const { return owners_; }
 
  private:
   /// 2 v: the right side of v; 2 v + 1: its left side.
   using Node = std::uint32_t;
-  struct Component {
-    Node start = 0;         ///< its first node
-    std::size_t begin = 0;  ///< where its nodes begin in a list of nodes of several
-    std::size_t end = 0;
+  /// A node that a search comes to, and by which edge; again, if that edge closes a cycle.
+  struct Found {
+    Node node = 0;
+    EdgeId from = 0;
+    bool again = false;
   };
 
-  template <class Visit>
-  int for_edges(Node node, Visit visit) const;
-  void ask_for(Node node) const;
-  void ask_ahead(Vertex v) const;
+  bool set_sides(const Order& order, Vertex v);
+  unsigned owned(Node node) const { return owners_.sides[node] >> 3; }
+  void set_owned(Node node, unsigned k);
+  void ask_for(Vertex v) const;
+  void search_all();
   void search_component(Node start);
-  void make_root(Node node);
-  void set_rank(RankChange change, std::vector<Node>& touched);
-  std::vector<Component> components_of(const std::vector<Node>& touched);
+  void make_root(Node node, unsigned given);
+  std::vector<Node> forget_components(const std::vector<Vertex>& touched);
   void list_crowded();
 
-  const Graph& graph_;
-  Order order_;
-  LongVector<EdgeId> parent_;  ///< by node: the edge to its parent
-  std::vector<Node> queue_;    ///< of a search
-  std::vector<Node> nodes_;    ///< of the components that are searched again
-  std::vector<Node> crowded_nodes_;
-  std::vector<Component> crowded_;  ///< components with two cycles, in `crowded_nodes_`
+  const LongVector<Row>& rows_;
+  std::vector<Found> queue_;                     ///< of a search
+  std::map<Node, std::vector<Vertex>> crowded_;  ///< the vertices of components, by first nodes
   Owners owners_;
 };
 

@@ -1,196 +1,196 @@
 // Step D.4: owners. A search from any node of a component directs every edge it uses to its parent:
 // each node but the root owns the edge to its parent. The root is then moved to a leaf or, if there
 // is a cycle, to an end of the edge that the search did not use, which the root owns. Cost: O(n).
-// Repairs of an order change few components, so only those with an end of an edge whose ends
-// changed sides are searched again, each from its first node, which so ends with the same owners.
+// What the searches read at random is a byte per node and the graph's rows, which are asked for when
+// a node is found. Late repairs of an order change few components, so only those with an end of an
+// edge whose ends changed sides are searched again, each from its first node, as at first.
 #include <algorithm>
-#include <utility>
 
 #include "ar3d/algorithms/compact_120/order.h"
 
 namespace ar3d::compact_120 {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
-constexpr std::uint32_t kRoot = kNone - 1;
-constexpr std::uint32_t kAgain = kNone - 2;  ///< the node's component is to be searched again
-
 constexpr Vertex kAhead = 16;
+constexpr EdgeId kNoEdge = 0xffffffffu;
+constexpr unsigned kUnseen = 4;  ///< beside what a node owns: no search has come to it
+constexpr unsigned kAgain = 5;   ///< its component is to be searched again
 
-Vertex vertex_of(std::uint32_t node) { return node / 2; }
+/// The place of an edge in a row that has it.
+unsigned place_of(EdgeId edge, const Row& row) {
+  unsigned k = 0;
+  while (row.half[k].edge != edge) ++k;
+  return k;
+}
 
 }  // namespace
 
-ChangingOwners::ChangingOwners(const Graph& graph, Order order)
-    : graph_(graph),
-      order_(std::move(order)),
-      parent_(2 * std::size_t{graph.num_vertices()}, kNone) {
-  owners_.tail.assign(graph.num_edges(), 0);
-  for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
-    ask_ahead(v);
-    for (const Node node : {2 * v, 2 * v + 1}) {
-      if (parent_[node] == kNone) search_component(node);
+LongVector<Row> rows_of(const Graph& graph) {
+  LongVector<Row> rows(graph.num_vertices());
+  for (Vertex v = 0; v < rows.size(); ++v) {
+    rows[v].v = v;
+    for (const HalfEdge& edge : graph.incident(v)) rows[v].half[rows[v].degree++] = edge;
+  }
+  return rows;
+}
+
+ChangingOwners::ChangingOwners(const LongVector<Row>& rows, const Order& order) : rows_(rows) {
+  owners_.sides.resize(2 * rows.size());
+  for (Vertex v = 0; v < rows.size(); ++v) {
+    if (v + kAhead < rows.size()) {
+      for (const HalfEdge& edge : rows[v + kAhead].edges())
+        __builtin_prefetch(&order.rank[edge.to]);
     }
+    set_sides(order, v);
+  }
+  search_all();
+}
+
+/// @return whether a side has other edges than before.
+bool ChangingOwners::set_sides(const Order& order, Vertex v) {
+  const std::span<const HalfEdge> edges = rows_[v].edges();
+  unsigned right = 0;
+  for (unsigned k = 0; k < edges.size(); ++k) {
+    right |= (order.is_right(v, edges[k].to) ? 1u : 0u) << k;
+  }
+  std::uint8_t* const sides = &owners_.sides[2 * std::size_t{v}];
+  const unsigned left = right ^ ((1u << edges.size()) - 1);
+  const bool changes = (sides[0] & 7u) != right || (sides[1] & 7u) != left;
+  sides[0] = static_cast<std::uint8_t>((sides[0] & ~7u) | right);
+  sides[1] = static_cast<std::uint8_t>((sides[1] & ~7u) | left);
+  return changes;
+}
+
+void ChangingOwners::set_owned(Node node, unsigned k) {
+  owners_.sides[node] = static_cast<std::uint8_t>((owners_.sides[node] & 7u) | k << 3);
+}
+
+/// Asks for what a search that comes to a vertex reads.
+void ChangingOwners::ask_for(Vertex v) const {
+  __builtin_prefetch(&rows_[v]);
+  __builtin_prefetch(&owners_.sides[2 * std::size_t{v}], 1);
+}
+
+void ChangingOwners::search_all() {
+  const auto nodes = static_cast<Node>(owners_.sides.size());
+  for (Node node = 0; node < nodes; ++node) set_owned(node, kUnseen);
+  for (Node node = 0; node < nodes; ++node) {
+    if (node % 2 == 0 && node / 2 + kAhead < rows_.size()) {
+      for (const HalfEdge& edge : rows_[node / 2 + kAhead].edges()) ask_for(edge.to);
+    }
+    if (owned(node) == kUnseen) search_component(node);
   }
   list_crowded();
 }
 
-/// Calls visit(edge, other node) for the edges at a node; returns their number.
-template <class Visit>
-int ChangingOwners::for_edges(Node node, Visit visit) const {
-  const Vertex v = vertex_of(node);
-  const bool right = node % 2 == 0;
-  int degree = 0;
-  for (const HalfEdge& edge : graph_.incident(v)) {
-    if (order_.is_right(v, edge.to) != right) continue;
-    visit(edge.edge, 2 * edge.to + (right ? 1u : 0u));
-    ++degree;
-  }
-  return degree;
-}
-
-/// Asks the memory for a node, without waiting.
-void ChangingOwners::ask_for(Node node) const {
-  __builtin_prefetch(&order_.rank[vertex_of(node)]);
-  __builtin_prefetch(&parent_[node], 1);
-  __builtin_prefetch(graph_.incident(vertex_of(node)).data());
-}
-
-/// Asks for what a search from vertices after v comes to first.
-void ChangingOwners::ask_ahead(Vertex v) const {
-  const Vertex n = graph_.num_vertices();
-  if (v + 2 * kAhead < n) {
-    for (const HalfEdge& edge : graph_.incident(v + 2 * kAhead)) ask_for(2 * edge.to);
-  }
-  if (v + kAhead < n) {
-    for (const HalfEdge& edge : graph_.incident(v + kAhead)) {
-      for (const HalfEdge& next : graph_.incident(edge.to))
-        __builtin_prefetch(&order_.rank[next.to]);
-    }
-  }
-}
-
 void ChangingOwners::search_component(Node start) {
-  queue_.assign(1, start);
-  parent_[start] = kRoot;
+  queue_.assign(1, {start, kNoEdge});
   Node leaf = start;
-  EdgeId unused = kNone;  // an edge that closes a cycle
+  Found unused{0, kNoEdge};  // an edge that closes a cycle
   bool crowded = false;
   for (std::size_t i = 0; i < queue_.size(); ++i) {
-    const Node node = queue_[i];
-    const int degree = for_edges(node, [&](EdgeId edge, Node other) {
-      if (edge == parent_[node] || edge == unused) return;
-      if (parent_[other] == kNone) {
-        parent_[other] = edge;
-        owners_.tail[edge] = vertex_of(other);
-        queue_.push_back(other);
-      } else if (parent_[other] != edge) {
-        crowded = crowded || unused != kNone;
-        unused = edge;
+    const auto [node, from, unset] = queue_[i];
+    queue_[i].again = owned(node) != kUnseen;
+    if (queue_[i].again) {  // found from both ends
+      crowded = crowded || (unused.from != kNoEdge && unused.from != from);
+      if (unused.from != from || node < unused.node) unused = queue_[i];
+      continue;
+    }
+    const Row& row = rows_[node / 2];
+    const unsigned edges = owners_.sides[node] & 7u;
+    unsigned own = Owners::kNothing;
+    for (unsigned k = 0; k < row.degree; ++k) {
+      if ((edges >> k & 1) == 0) continue;
+      if (row.half[k].edge == from) {
+        own = k;
+      } else {
+        ask_for(row.half[k].to);
+        queue_.push_back({2 * row.half[k].to + (1 - node % 2), row.half[k].edge});
       }
-    });
-    if (degree == 1) leaf = node;
+    }
+    set_owned(node, own);
+    if (edges != 0 && (edges & (edges - 1)) == 0) leaf = node;
   }
   if (crowded) {
-    const std::size_t begin = crowded_nodes_.size();
-    crowded_nodes_.insert(crowded_nodes_.end(), queue_.begin(), queue_.end());
-    crowded_.push_back({start, begin, crowded_nodes_.size()});
+    std::vector<Vertex>& vertices = crowded_[start];
+    for (const Found& found : queue_) {
+      if (!found.again) vertices.push_back(found.node / 2);
+    }
   }
-  if (unused == kNone) {
-    make_root(leaf);
+  if (unused.from == kNoEdge) {
+    make_root(leaf, Owners::kNothing);
   } else {
-    const Vertex u = graph_.edge(unused).u;
-    make_root(2 * u + (order_.is_right(u, graph_.edge(unused).v) ? 0u : 1u));
-    owners_.tail[unused] = u;
+    make_root(unused.node, place_of(unused.from, rows_[unused.node / 2]));
   }
 }
 
 /// Every node on the way up from `node` gives its edge to its parent.
-void ChangingOwners::make_root(Node node) {
-  while (parent_[node] != kRoot) {
-    const EdgeId edge = parent_[node];
-    const Vertex above = graph_.other_end(edge, vertex_of(node));
-    owners_.tail[edge] = above;
-    node = 2 * above + (node % 2 == 0 ? 1u : 0u);
+/// @param given  what `node` owns instead.
+void ChangingOwners::make_root(Node node, unsigned given) {
+  while (true) {
+    const unsigned up = owned(node);
+    set_owned(node, given);
+    if (up == Owners::kNothing) return;
+    const HalfEdge edge = rows_[node / 2].half[up];
+    node = 2 * edge.to + (1 - node % 2);
+    given = place_of(edge.edge, rows_[edge.to]);
   }
 }
 
-void ChangingOwners::change(const std::vector<RankChange>& changes) {
-  std::vector<Node> touched;
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    if (i + kAhead < changes.size()) ask_for(2 * changes[i + kAhead].vertex);
-    set_rank(changes[i], touched);
+void ChangingOwners::change(const Order& order, const std::vector<Vertex>& vertices) {
+  std::vector<Vertex> touched;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (i + kAhead < vertices.size()) ask_for(vertices[i + kAhead]);
+    if (set_sides(order, vertices[i])) touched.push_back(vertices[i]);
   }
-  const std::vector<Component> components = components_of(touched);
-  std::erase_if(crowded_,
-                [&](const Component& component) { return parent_[component.start] == kAgain; });
-  for (const Component& component : components) {
-    for (std::size_t i = component.begin; i < component.end; ++i) parent_[nodes_[i]] = kNone;
-    search_component(component.start);
+  if (touched.size() > rows_.size() / 16) {
+    crowded_.clear();
+    return search_all();
   }
+  const std::vector<Node> starts = forget_components(touched);
+  for (const Node start : starts) search_component(start);
   list_crowded();
 }
 
-/// Adds the nodes of edges whose ends change sides, or have one rank until the other end changes.
-void ChangingOwners::set_rank(RankChange change, std::vector<Node>& touched) {
-  const Vertex v = change.vertex;
-  if (order_.rank[v] == change.rank) return;
-  for (const HalfEdge& edge : graph_.incident(v)) {
-    const std::uint32_t other = order_.rank[edge.to];
-    const std::uint32_t own = order_.rank[v];
-    if ((own < other) == (change.rank < other) && (own > other) == (change.rank > other)) continue;
-    for (const Node node : {2 * v, 2 * v + 1, 2 * edge.to, 2 * edge.to + 1})
-      touched.push_back(node);
-  }
-  order_.rank[v] = change.rank;
-}
-
-/// The components, as they are now, of these nodes: marked kAgain, their nodes in `nodes_`.
-std::vector<ChangingOwners::Component> ChangingOwners::components_of(
-    const std::vector<Node>& touched) {
-  std::vector<Component> components;
-  nodes_.clear();
-  const auto add = [&](Node node) {
-    if (parent_[node] == kAgain) return;
-    parent_[node] = kAgain;
-    nodes_.push_back(node);
-  };
-  for (std::size_t i = 0; i < touched.size(); ++i) {
-    if (i + kAhead < touched.size()) ask_for(touched[i + kAhead]);
-    const Node first = touched[i];
-    const std::size_t begin = nodes_.size();
-    add(first);
-    for (std::size_t j = begin; j < nodes_.size(); ++j) {
-      for_edges(nodes_[j], [&](EdgeId, Node other) { add(other); });
-    }
-    if (nodes_.size() == begin) continue;
-    const auto start =
-        std::min_element(nodes_.begin() + static_cast<std::ptrdiff_t>(begin), nodes_.end());
-    components.push_back({*start, begin, nodes_.size()});
-  }
-  return components;
-}
-
-/// Lists the crowded components in the order of their first nodes, and forgets all others' nodes.
-void ChangingOwners::list_crowded() {
-  std::sort(crowded_.begin(), crowded_.end(),
-            [](const Component& a, const Component& b) { return a.start < b.start; });
+/// Forgets what is known of the components, as they are now, with these vertices.
+/// @return their first nodes.
+std::vector<ChangingOwners::Node> ChangingOwners::forget_components(
+    const std::vector<Vertex>& touched) {
+  std::vector<Node> starts;
   std::vector<Node> nodes;
-  owners_.crowded.clear();
-  for (Component& component : crowded_) {
+  const auto add = [&](Node node) {
+    if (owned(node) == kAgain) return;
+    set_owned(node, kAgain);
+    nodes.push_back(node);
+  };
+  for (std::size_t i = 0; i < 2 * touched.size(); ++i) {
     const std::size_t begin = nodes.size();
-    for (std::size_t i = component.begin; i < component.end; ++i) {
-      nodes.push_back(crowded_nodes_[i]);
-      owners_.crowded.push_back(vertex_of(crowded_nodes_[i]));
+    add(2 * touched[i / 2] + static_cast<Node>(i % 2));
+    for (std::size_t j = begin; j < nodes.size(); ++j) {
+      const Row& row = rows_[nodes[j] / 2];
+      for (unsigned k = 0; k < row.degree; ++k) {
+        if ((owners_.sides[nodes[j]] >> k & 1) != 0) add(2 * row.half[k].to + (1 - nodes[j] % 2));
+      }
     }
-    component.begin = begin;
-    component.end = nodes.size();
+    if (nodes.size() == begin) continue;
+    starts.push_back(
+        *std::min_element(nodes.begin() + static_cast<std::ptrdiff_t>(begin), nodes.end()));
   }
-  crowded_nodes_ = std::move(nodes);
+  std::erase_if(crowded_, [&](const auto& component) { return owned(component.first) == kAgain; });
+  for (const Node node : nodes) set_owned(node, kUnseen);
+  return starts;
+}
+
+void ChangingOwners::list_crowded() {
+  owners_.crowded.clear();
+  for (const auto& [start, vertices] : crowded_) {
+    owners_.crowded.insert(owners_.crowded.end(), vertices.begin(), vertices.end());
+  }
 }
 
 Owners choose_owners(const Graph& graph, const Order& order) {
-  return ChangingOwners(graph, order).owners();
+  const LongVector<Row> rows = rows_of(graph);
+  return ChangingOwners(rows, order).owners();
 }
 
 }  // namespace ar3d::compact_120

@@ -41,7 +41,7 @@ Zones lay_out_zones(const std::vector<std::int64_t>& sizes) {
 
 Strip fill_zones(const Order& levels, const Links& links, std::size_t num_edges,
                  RandomStream random, Census& census, bool random_trials) {
-  const LongVector<std::uint32_t>& level = levels.rank;
+  const LongVector<std::uint16_t>& level = levels.rank;
   std::vector<std::int64_t> sizes;
   for (const std::uint32_t k : level) {
     if (k >= sizes.size()) sizes.resize(k + 1u);

@@ -49,7 +49,7 @@ std::string fault_of_order(const Graph& graph) {
   for (const Edge& edge : graph.edges()) {
     if (order.rank[edge.u] == order.rank[edge.v]) return "equal ranks";
   }
-  if (std::set<std::uint32_t>(order.rank.begin(), order.rank.end()).size() > 76) return "ranks";
+  if (std::set<unsigned>(order.rank.begin(), order.rank.end()).size() > 76) return "ranks";
   const Order levels = in_levels(graph, order);
   for (const Edge& edge : graph.edges()) {
     if (order.is_right(edge.u, edge.v) != levels.is_right(edge.u, edge.v)) return "levels";

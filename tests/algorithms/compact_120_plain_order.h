@@ -25,7 +25,7 @@ class PlainSweeper {
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
       const auto used = levels_of_neighbours(v);
       do {
-        order_.rank[v] = random_.below(kLevels);
+        order_.rank[v] = static_cast<std::uint16_t>(random_.below(kLevels));
       } while (used[order_.rank[v]]);
     }
     for (const Edge& edge : graph.edges()) {
@@ -116,7 +116,7 @@ class PlainSweeper {
                                                  (order_.rank[v] < other ? 1 : 0));
       left_[v] = static_cast<std::uint8_t>(left_[v] + (other < level ? 1 : 0));
     }
-    order_.rank[v] = level;
+    order_.rank[v] = static_cast<std::uint16_t>(level);
   }
 
   const Graph& graph_;
