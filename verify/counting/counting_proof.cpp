@@ -61,9 +61,9 @@ bool CountingProof::take_edge(Share& share, Edge ends, const std::vector<Point>&
   if (!is_near(points[0])) return false;
   std::uint8_t before = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if (!is_near(points[i]) || points[i] == points[i - 1]) return false;
+    if (!is_near(points[i])) return false;
     const auto found = directions_.find(points[i] - points[i - 1]);
-    if (!found.known) return false;
+    if (!found.known) return false;  // nor is a segment of length zero
     const bool reversed = found.id % 2 != 0;
     ++share.numbers[found.id / 2];
     if (keeps_segments_) {
@@ -191,14 +191,14 @@ std::vector<std::size_t> CountingProof::directions_to_count() const {
 }
 
 /// How many windows a family of so many records is counted in, so that the threads' records at a
-/// time hold the limit; without one, a fourth of the memory of the segments.
+/// time hold the limit; without one, 5/8 of the memory of the segments.
 std::uint32_t CountingProof::windows(std::uint64_t records) const {
   constexpr std::uint64_t kFew = std::uint64_t{1} << 18;
   std::uint64_t room = sizes_.memory / sizeof(PlaneRecord);
   if (keeps_segments_) {
     std::uint64_t segments = 0;
     for (std::size_t i = 0; i < SignedDirections::kMaxIndices; ++i) segments += number(i);
-    room = std::max(kFew, segments / 4);
+    room = std::max(kFew, 5 * segments / 8);
   }
   const std::uint64_t room_of_thread = std::max<std::uint64_t>(room / shares_.size(), 1);
   return static_cast<std::uint32_t>(

@@ -24,8 +24,8 @@ namespace ar3d::verify {
 /// Several threads may pass over the edges, and count in several windows at a time. The verdict and
 /// all counts are the same for any number of them.
 ///
-/// Memory: 4 bytes per vertex; 16 bytes per segment and 4 more for the records of windows at a
-/// time; with a limit 16 for each record of these windows, which the limit holds unless one plane
+/// Memory: 4 bytes per vertex; 16 bytes per segment and up to 10 more for the records of windows at
+/// a time; with a limit 16 for each record of these windows, which the limit holds unless one plane
 /// passes it.
 class CountingProof {
  public:

@@ -73,8 +73,8 @@ void CrowdedPlanes::count_lines(const std::vector<PlaneRecord>& records) {
     const PlaneRecord& a = records[i - 1];
     const PlaneRecord& b = records[i];
     if (a.plane != b.plane || a.at != b.at) continue;
-    counts_.touching += a.high == b.low;
-    counts_.overlap |= a.high > b.low;
+    counts_.touching += a.high() == b.low;
+    counts_.overlap |= a.high() > b.low;
   }
 }
 
@@ -85,7 +85,7 @@ void CrowdedPlanes::order_ends(Records rows) {
   by_high_.clear();
   for (std::uint32_t i = 0; i < rows.size(); ++i) {
     by_low_.push_back({key_of(rows[i].low, least), i});
-    by_high_.push_back({key_of(rows[i].high, least), i});
+    by_high_.push_back({key_of(rows[i].high(), least), i});
   }
   sort_by_key(by_low_, buffer_);
   sort_by_key(by_high_, buffer_);
@@ -136,12 +136,12 @@ void CrowdedPlanes::count_plane(Records rows, Records columns) {
     for (; begun < rows.size() && rows[by_low_[begun].item].low <= column.at; ++begun) {
       change(by_low_[begun].item, 1);
     }
-    for (; ended < rows.size() && rows[by_high_[ended].item].high < column.at; ++ended) {
+    for (; ended < rows.size() && rows[by_high_[ended].item].high() < column.at; ++ended) {
       change(by_high_[ended].item, -1);
     }
     if (begun == ended) continue;
     const std::size_t first = rank(column.low);
-    const std::size_t last = rank(std::int64_t{column.high} + 1);
+    const std::size_t last = rank(std::int64_t{column.high()} + 1);
     if (first < last) counts_.crossing += active_before(last) - active_before(first);
   }
 }

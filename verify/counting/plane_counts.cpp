@@ -1,12 +1,13 @@
 // Two segments that meet and are not parallel lie in a plane of their two directions. The segments
 // of two directions become records of 16 bytes, are partitioned by plane into buckets that fit the
-// second-level cache, there sorted by plane into bins of about two records, and compared. Planes
-// with many segments go to CrowdedPlanes. Each record is written twice and read three times, always
-// in order or within the cache (Steps V.4 to V.8 of docs/verify.md).
+// second-level cache, and compared there: rows sorted by plane into bins of one or two, columns as
+// they come. Planes with many segments go to CrowdedPlanes. A record is written once or twice and
+// read twice or three times, always in order or within the cache (Steps V.4 to V.8 of docs/verify.md).
 #include "ar3d/verify/counting/plane_counts.h"
 
 #include <bit>
 #include <cstdlib>
+#include <numeric>
 #include <utility>
 
 #include "ar3d/verify/predicates/functional.h"
@@ -16,23 +17,21 @@ namespace {
 
 std::int64_t product(Vector f, Vector d) { return f.x * d.x + f.y * d.y + f.z * d.z; }
 
+/// Modulo 2^32, in which all values differ, what lies below the low end lies beyond the high one.
 bool meet(const PlaneRecord& row, const PlaneRecord& column) {
-  return (row.plane == column.plane) & (row.low <= column.at) & (column.at <= row.high) &
-         (column.low <= row.at) & (row.at <= column.high);
+  const std::uint32_t row_at =
+      static_cast<std::uint32_t>(row.at) - static_cast<std::uint32_t>(column.low);
+  const std::uint32_t column_at =
+      static_cast<std::uint32_t>(column.at) - static_cast<std::uint32_t>(row.low);
+  return (row.plane == column.plane) & (column_at <= row.run) & (row_at <= column.run);
 }
 
-/// All pairs of one direction that lie on a line.
-void count_on_lines(std::span<const PlaneRecord> records, MeetingCounts& counts) {
-  for (std::size_t i = 1; i < records.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const PlaneRecord& a = records[i];
-      const PlaneRecord& b = records[j];
-      if (a.plane != b.plane || a.at != b.at || a.high < b.low || b.high < a.low) continue;
-      const bool touch = a.high == b.low || b.high == a.low;
-      counts.touching += touch;
-      counts.overlap |= !touch;
-    }
-  }
+/// Two of one direction, if they lie on a line.
+void count_on_line(const PlaneRecord& a, const PlaneRecord& b, MeetingCounts& counts) {
+  if (a.plane != b.plane || a.at != b.at || a.high() < b.low || b.high() < a.low) return;
+  const bool touch = a.high() == b.low || b.high() == a.low;
+  counts.touching += touch;
+  counts.overlap |= !touch;
 }
 
 }  // namespace
@@ -47,21 +46,21 @@ MeetingCounts& MeetingCounts::operator+=(const MeetingCounts& other) {
 PlaneFamily::PlaneFamily(const SignedDirections& directions, std::size_t i, std::size_t j) {
   const Vector d[2] = {directions[i], directions[j]};
   normal_ = plane_normal(d[0], d[1]);
-  plane_ = narrowed(normal_);
+  const auto functional = [](Vector f, std::uint32_t factor) {
+    return Functional{static_cast<std::uint32_t>(f.x) * factor,
+                      static_cast<std::uint32_t>(f.y) * factor,
+                      static_cast<std::uint32_t>(f.z) * factor};
+  };
+  plane_ = functional(normal_, 0x9E3779B1);  // odd, so that it is one to one modulo 2^32
   const std::size_t axis = leading_axis(normal_);
   for (std::size_t side = 0; side < 2; ++side) {
     // Constant along d[side]; along the other direction it is a component of the normal, not zero.
     across_[side] = times_unit(d[side], axis);
     const std::int64_t speed = product(across_[side], d[1 - side]);
     if (speed < 0) across_[side] = -across_[side];
-    at_[side] = narrowed(across_[side]);
+    at_[side] = functional(across_[side], 1);
     speed_[1 - side] = static_cast<std::uint32_t>(std::abs(speed));
   }
-}
-
-PlaneFamily::Functional PlaneFamily::narrowed(Vector f) {
-  return {static_cast<std::int32_t>(f.x), static_cast<std::int32_t>(f.y),
-          static_cast<std::int32_t>(f.z)};
 }
 
 // A sum of absolute coefficients times the largest coordinate bounds every term, every partial sum
@@ -93,57 +92,70 @@ MeetingCounts PlaneMeetings::finish() {
 
 /// Rows are in this bucket, columns in the next one.
 void PlaneMeetings::count_bucket(std::size_t bucket) {
-  constexpr unsigned kMostBits = 15;
-  const std::size_t records = buckets_.size_of(bucket) + buckets_.size_of(bucket + 1);
-  if (records < 2) return;
-  bin_bits_ = std::min(kMostBits, static_cast<unsigned>(std::bit_width(records / 2)));
-  into_bins(bucket, bin_rows_, row_ends_);
-  into_bins(bucket + 1, bin_columns_, column_ends_);
-  const Records all_rows(bin_rows_);
-  const Records all_columns(bin_columns_);
-  std::size_t row = 0;
-  std::size_t column = 0;
-  for (std::size_t bin = 0; bin < row_ends_.size(); ++bin) {
-    const std::size_t row_end = row_ends_[bin];
-    const std::size_t column_end = column_ends_[bin];
-    count_bin(all_rows.subspan(row, row_end - row),
-              all_columns.subspan(column, column_end - column));
-    row = row_end;
-    column = column_end;
+  constexpr std::size_t kMostBins = std::size_t{1} << 15;
+  const std::size_t size = std::max(buckets_.size_of(bucket), buckets_.size_of(bucket + 1));
+  bin_shift_ =
+      33 - static_cast<unsigned>(std::bit_width(std::clamp<std::size_t>(size, 2, kMostBins)));
+  into_bins(bucket, bins_[0]);
+  const bool is_crowded = bins_[0].largest > sizes_.crowded;
+  if (is_crowded || lines_[1]) into_bins(bucket + 1, bins_[1]);
+  is_crowded ? count_crowded() : count_crossings(bucket + 1);
+  for (const std::size_t side : {0u, 1u}) {
+    if (lines_[side]) count_lines(bins_[side]);
   }
 }
 
-/// By the bits of the plane's place in the window below those of its bucket. Afterwards ends[s] is
-/// the end of bin s.
-void PlaneMeetings::into_bins(std::size_t bucket, std::vector<PlaneRecord>& to,
-                              std::vector<std::uint32_t>& ends) {
-  const std::uint32_t scale = window_.count << bucket_bits_;  // modulo 2^32, as the place is
-  const unsigned shift = 32 - bin_bits_;
-  const auto bin = [=](const PlaneRecord& record) {
-    const std::uint32_t place = record.plane * scale;
-    return static_cast<std::size_t>(std::uint64_t{place} >> shift);
-  };
-  ends.assign(std::size_t{1} << bin_bits_, 0);
-  buckets_.for_each(bucket, [&](const PlaneRecord& record) { ++ends[bin(record)]; });
-  std::uint32_t begin = 0;
-  for (std::uint32_t& place : ends) begin += std::exchange(place, begin);
-  if (to.size() < begin) to.resize(begin);
-  buckets_.for_each(bucket, [&](const PlaneRecord& record) { to[ends[bin(record)]++] = record; });
+/// By the bits of the plane's place in the window below those of its bucket.
+std::size_t PlaneMeetings::bin_of(const PlaneRecord& record) const {
+  return record.plane * (window_.count << bucket_bits_) >> bin_shift_;  // modulo 2^32
 }
 
-void PlaneMeetings::count_bin(Records rows, Records columns) {
-  const std::size_t pairs = rows.size() * columns.size() +
-                            (lines_[0] ? rows.size() * rows.size() : 0) +
-                            (lines_[1] ? columns.size() * columns.size() : 0);
-  if (pairs > sizes_.crowded * (rows.size() + columns.size())) {
-    counts_ += crowded_.count(rows, columns, lines_);
-    return;
+void PlaneMeetings::into_bins(std::size_t bucket, Bins& bins) const {
+  bins.bounds.assign((std::size_t{1} << (32 - bin_shift_)) + 2, 0);
+  buckets_.for_each(bucket, [&](const PlaneRecord& r) { ++bins.bounds[bin_of(r) + 2]; });
+  bins.largest = *std::max_element(bins.bounds.begin(), bins.bounds.end());
+  std::partial_sum(bins.bounds.begin(), bins.bounds.end(), bins.bounds.begin());
+  if (bins.records.size() < bins.bounds.back()) bins.records.resize(bins.bounds.back());
+  buckets_.for_each(bucket,
+                    [&](const PlaneRecord& r) { bins.records[bins.bounds[bin_of(r) + 1]++] = r; });
+}
+
+void PlaneMeetings::count_crossings(std::size_t bucket) {
+  std::uint64_t crossing = 0;
+  buckets_.for_each(bucket, [&](const PlaneRecord& column) {
+    for (const PlaneRecord& row : bins_[0][bin_of(column)]) {
+      asm("" : : "r"(&row));  // so few that vectors would only cost
+      crossing += meet(row, column);
+    }
+  });
+  counts_.crossing += crossing;
+}
+
+void PlaneMeetings::count_crowded() {
+  for (std::size_t bin = 0; bin < bins_[0].size(); ++bin) {
+    const Records rows = bins_[0][bin], columns = bins_[1][bin];
+    if (rows.size() * columns.size() > sizes_.crowded * (rows.size() + columns.size())) {
+      counts_ += crowded_.count(rows, columns, {});
+      continue;
+    }
+    for (const PlaneRecord& row : rows) {
+      for (const PlaneRecord& column : columns) counts_.crossing += meet(row, column);
+    }
   }
-  for (const PlaneRecord& row : rows) {
-    for (const PlaneRecord& column : columns) counts_.crossing += meet(row, column);
+}
+
+/// All pairs of one direction that lie on a line.
+void PlaneMeetings::count_lines(const Bins& bins) {
+  for (std::size_t bin = 0; bin < bins.size(); ++bin) {
+    const Records records = bins[bin];
+    if (records.size() > sizes_.crowded) {
+      counts_ += crowded_.count(records, {}, {true, false});
+      continue;
+    }
+    for (std::size_t i = 1; i < records.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) count_on_line(records[i], records[j], counts_);
+    }
   }
-  if (lines_[0]) count_on_lines(rows, counts_);
-  if (lines_[1]) count_on_lines(columns, counts_);
 }
 
 }  // namespace ar3d::verify

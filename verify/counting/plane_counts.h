@@ -34,29 +34,26 @@ class PlaneFamily {
   PlaneFamily(const SignedDirections& directions, std::size_t i, std::size_t j);
   /// True if 32 bits hold every value of its functionals for coordinates up to `largest`.
   bool fits(std::int64_t largest) const;
-  /// A number of the segment's plane that differs for all planes, spread over 32 bits: the factor
-  /// is odd, so that multiplying by it modulo 2^32 is one to one.
-  std::uint32_t plane_of(const PlacedSegment& s) const {
-    constexpr std::uint32_t kSpread = 0x9E3779B1;
-    return static_cast<std::uint32_t>(plane_(s)) * kSpread;
-  }
+  /// A number of the segment's plane that differs for all planes, spread over 32 bits.
+  std::uint32_t plane_of(const PlacedSegment& s) const { return plane_(s); }
   /// @param side  0 for a row, of direction i; 1 for a column, of direction j.
-  PlaneRecord record(const PlacedSegment& s, std::size_t side, std::uint32_t plane) const {
-    const std::int32_t low = at_[1 - side](s);
-    // The value at the other end fits, the difference need not: modulo 2^32.
-    const std::uint32_t run = static_cast<std::uint32_t>(s.steps) * speed_[side];
-    return {plane, at_[side](s), low,
-            static_cast<std::int32_t>(static_cast<std::uint32_t>(low) + run)};
+  PlaneRecord record(const PlacedSegment& s, std::size_t side) const {
+    return {plane_(s), static_cast<std::int32_t>(at_[side](s)),
+            static_cast<std::int32_t>(at_[1 - side](s)),
+            static_cast<std::uint32_t>(s.steps) * speed_[side]};
   }
 
  private:
+  /// Modulo 2^32.
   struct Functional {
-    std::int32_t x = 0;
-    std::int32_t y = 0;
-    std::int32_t z = 0;
-    std::int32_t operator()(const PlacedSegment& s) const { return x * s.x + y * s.y + z * s.z; }
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+    std::uint32_t z = 0;
+    std::uint32_t operator()(const PlacedSegment& s) const {
+      return x * static_cast<std::uint32_t>(s.x) + y * static_cast<std::uint32_t>(s.y) +
+             z * static_cast<std::uint32_t>(s.z);
+    }
   };
-  static Functional narrowed(Vector f);
 
   Vector normal_;
   std::array<Vector, 2> across_;  ///< [side] is constant along that side's direction
@@ -75,6 +72,10 @@ class PlaneMeetings {
     /// Segments of a side's direction (0: rows, 1: columns), of which those are taken whose planes
     /// are in the window. Chance decides which: they are told apart without a branch.
     void add(std::span<const PlacedSegment> segments, std::size_t side) const {
+      if (window_.count == 1) {
+        for (const PlacedSegment& segment : segments) add_taken(segment, side);
+        return;
+      }
       constexpr std::size_t kBlock = 64;
       std::array<std::uint8_t, kBlock> taken;
       for (; !segments.empty(); segments = segments.subspan(std::min(kBlock, segments.size()))) {
@@ -95,9 +96,9 @@ class PlaneMeetings {
 
     std::uint64_t scaled(std::uint32_t plane) const { return std::uint64_t{plane} * window_.count; }
     void add_taken(const PlacedSegment& s, std::size_t side) const {
-      const std::uint32_t plane = family_.plane_of(s);
-      const std::uint64_t place = scaled(plane) & 0xffffffff;
-      buckets_->add(2 * (place >> shift_) + side, family_.record(s, side, plane));
+      const PlaneRecord record = family_.record(s, side);
+      const std::uint64_t place = scaled(record.plane) & 0xffffffff;
+      buckets_->add(2 * (place >> shift_) + side, record);
     }
 
     PlaneFamily family_;
@@ -117,23 +118,32 @@ class PlaneMeetings {
 
  private:
   using Records = std::span<const PlaneRecord>;
+  /// The records of one bucket; those of each bin stand together.
+  struct Bins {
+    std::vector<PlaneRecord> records;
+    std::vector<std::uint32_t> bounds;  ///< of each bin in it
+    std::uint32_t largest = 0;          ///< records in one bin
+    std::size_t size() const { return bounds.size() - 2; }
+    Records operator[](std::size_t bin) const {
+      return {records.data() + bounds[bin], records.data() + bounds[bin + 1]};
+    }
+  };
 
   void count_bucket(std::size_t bucket);
-  void into_bins(std::size_t bucket, std::vector<PlaneRecord>& to,
-                 std::vector<std::uint32_t>& ends);
-  void count_bin(Records rows, Records columns);
+  std::size_t bin_of(const PlaneRecord& record) const;
+  void into_bins(std::size_t bucket, Bins& bins) const;
+  void count_crossings(std::size_t bucket);
+  void count_crowded();
+  void count_lines(const Bins& bins);
 
   CountingSizes sizes_;
   PlaneWindow window_;
   std::array<bool, 2> lines_{};
   MeetingCounts counts_;
   unsigned bucket_bits_ = 0;
-  unsigned bin_bits_ = 0;
-  RecordBuckets buckets_;              ///< of rows and columns in turns
-  std::vector<PlaneRecord> bin_rows_;  ///< of the bucket at hand, by bin
-  std::vector<PlaneRecord> bin_columns_;
-  std::vector<std::uint32_t> row_ends_;
-  std::vector<std::uint32_t> column_ends_;
+  unsigned bin_shift_ = 0;
+  RecordBuckets buckets_;     ///< of rows and columns in turns
+  std::array<Bins, 2> bins_;  ///< of rows, of columns
   CrowdedPlanes crowded_;
 };
 

@@ -76,12 +76,16 @@ class PlacedSegments {
 };
 
 /// A segment in a plane of a family, or rather in a bucket of planes: it stays at `at` across its
-/// own direction and runs from low to high across the other one.
+/// own direction and runs from low across the other one.
 struct PlaneRecord {
   std::uint32_t plane;  ///< equal for segments of one plane only
   std::int32_t at;
   std::int32_t low;
-  std::int32_t high;
+  std::uint32_t run;
+  /// The number at the high end fits, the run need not without a sign.
+  std::int32_t high() const {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(low) + run);
+  }
 };
 
 /// Records in buckets whose sizes need not be known before: each is a chain of chunks. 16 bytes per
@@ -134,7 +138,7 @@ class RecordBuckets {
   static std::size_t room_of(std::size_t block) {
     return std::size_t{4} << std::min<std::size_t>(block, 8);
   }
-  PlaneRecord* append_chunk(std::size_t bucket) {
+  __attribute__((noinline)) PlaneRecord* append_chunk(std::size_t bucket) {
     if (block_ < blocks_.size() && used_ == room_of(block_)) {
       ++block_;
       used_ = 0;

@@ -4,32 +4,26 @@
 
 #include <cstdlib>
 
-#include "ar3d/verify/predicates/functional.h"
-
 namespace ar3d::verify {
-
-std::int32_t SignedDirections::Known::steps(Vector d) const {
-  const std::int64_t step = component(direction, axis);
-  const std::int64_t length = component(d, axis);
-  if (step == 1) return static_cast<std::int32_t>(length);
-  if (step == -1) return static_cast<std::int32_t>(-length);
-  return static_cast<std::int32_t>(length / step);
-}
 
 void SignedDirections::add(Vector d) {
   const Vector direction = primitive(d);
-  std::uint8_t axis = 3;
-  for (std::uint8_t i = 0; i < 3; ++i) {
-    const std::int64_t size = std::abs(component(direction, i));
+  std::int64_t step = kMaxComponent;
+  Vector unit;
+  for (const Vector axis : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
+    const std::int64_t product = direction.x * axis.x + direction.y * axis.y + direction.z * axis.z;
+    const std::int64_t size = std::abs(product);
     if (size >= kMaxComponent) return;
-    if (size == 0) continue;
-    if (axis == 3 || size < std::abs(component(direction, axis))) axis = i;
+    if (size == 0 || size >= step) continue;
+    step = size;
+    unit = product > 0 ? axis : -axis;
   }
   if (directions_.size() == kMaxIndices || find(direction).known) return;
   const auto id = static_cast<std::uint8_t>(2 * directions_.size());
   directions_.push_back(direction);
-  classes_[sense(direction)].push_back({direction, id, axis});
-  classes_[sense(-direction)].push_back({-direction, static_cast<std::uint8_t>(id + 1), axis});
+  classes_[sense(direction)].push_back({direction, unit, step, id});
+  classes_[sense(-direction)].push_back(
+      {-direction, -unit, step, static_cast<std::uint8_t>(id + 1)});
 }
 
 }  // namespace ar3d::verify

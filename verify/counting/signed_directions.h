@@ -20,19 +20,20 @@ class SignedDirections {
   struct Found {
     bool known = false;  ///< false if the direction has no number
     std::uint8_t id = 0;
-    std::int32_t steps = 0;  ///< d = steps * direction(id), steps > 0
+    std::int32_t steps = 0;  ///< d = steps * of_id(id), steps > 0
   };
 
   /// Gives d's direction a number, if it has none and keeps the limits. @pre d is not zero.
   void add(Vector d);
-  /// @pre d is not zero and its components are below 2^31 in absolute value.
+  /// The zero vector is not known. @pre d's components are below 2^31 in absolute value.
   Found find(Vector d) const {
     for (const Known& known : classes_[sense(d)]) {
-      // Products are below 2^31 * 2^20. Parallel with equal signs: of the same sense.
-      const Vector k = known.direction;
-      if (d.x * k.y == d.y * k.x && d.y * k.z == d.z * k.y && d.x * k.z == d.z * k.x) {
-        return {true, known.id, known.steps(d)};
-      }
+      // A primitive vector steps along all its multiples; products are below 2^31 * 2^20.
+      const Vector unit = known.unit;
+      const std::int64_t length = d.x * unit.x + d.y * unit.y + d.z * unit.z;
+      const std::int64_t steps = known.step == 1 ? length : length / known.step;
+      if (steps <= 0 || steps * known.direction != d) continue;
+      return {true, known.id, static_cast<std::int32_t>(steps)};
     }
     return {};
   }
@@ -47,20 +48,17 @@ class SignedDirections {
  private:
   struct Known {
     Vector direction;
+    Vector unit;        ///< of length 1 along an axis, with
+    std::int64_t step;  ///< the direction's smallest product with one that is not 0
     std::uint8_t id;
-    std::uint8_t axis;  ///< an axis of the direction's smallest component that is not zero
-    std::int32_t steps(Vector d) const;
   };
 
   static std::size_t sense(Vector d) {
-    const auto sign = [](std::int64_t c) {
-      return static_cast<std::size_t>((c > 0) + 2 * (c < 0));
-    };
-    return 9 * sign(d.x) + 3 * sign(d.y) + sign(d.z);
+    return std::size_t{d.x < 0} * 4 + std::size_t{d.y < 0} * 2 + std::size_t{d.z < 0};
   }
 
   std::vector<Vector> directions_;
-  std::array<std::vector<Known>, 27> classes_;
+  std::array<std::vector<Known>, 8> classes_;
 };
 
 /// The directions with components from -2 to 2, which have numbers: those that a drawing's vertices
