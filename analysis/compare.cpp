@@ -12,13 +12,16 @@ namespace {
 
 /// What a cell has to be judged by.
 struct Evidence {
-  PairedCell cell;
-  CountChange counts;
-  std::vector<FixedChange> fixed;
-  std::vector<double> log_ratios;
-  double log2_volume_change = 0;
+  CellComparison cell = {};  ///< without verdict and time
+  std::vector<FixedChange> fixed = {};
   bool is_drawn = false;  ///< some pair of drawings is there, so that there are times to judge
 };
+
+Evidence evidence_of(const PairedCell& cell) {
+  Evidence evidence;
+  evidence.cell.key = cell.key, evidence.cell.n = cell.n, evidence.cell.rows = cell.rows.size();
+  return evidence;
+}
 
 /// Whether one side is the other: begun at the same moment in the same environment, and every time
 /// equal to the last bit.
@@ -48,15 +51,16 @@ void require_same_study(const Results& base, const Results& now) {
 /// Takes the pairs of one cell, of one round or of all, into the evidence.
 void add_pairs(const PairedCell& cell, const CompareOptions& options, Evidence& into) {
   const CountChange counts = count_change(cell);
-  if (counts.is_known()) into.counts = counts;
+  if (counts.is_known()) into.cell.counts = counts;
   for (FixedChange& change :
        count_changes(counts, options.instruction_threshold, options.cycle_threshold)) {
     into.fixed.push_back(std::move(change));
   }
   for (const PairedRow& row : cell.rows) {
     for (FixedChange& change : fixed_changes(row)) into.fixed.push_back(std::move(change));
+    double& largest = into.cell.log2_volume_change;
     const double change = log2_volume_change(row);
-    if (std::abs(change) > std::abs(into.log2_volume_change)) into.log2_volume_change = change;
+    if (std::abs(change) > std::abs(largest)) largest = change;
     into.is_drawn |= both_drawn(row);
   }
 }
@@ -137,14 +141,8 @@ void judge(CellComparison& cell, const std::pair<Verdict, std::string>& fixed, b
 Comparison judge_all(std::vector<Evidence> evidence, const std::vector<TimeVerdict>& times,
                      Comparison comparison, const CompareOptions& options) {
   for (std::size_t i = 0; i < evidence.size(); ++i) {
-    CellComparison cell;
-    cell.key = evidence[i].cell.key;
-    cell.n = evidence[i].cell.n;
-    cell.rows = evidence[i].cell.rows.size();
-    cell.counts = evidence[i].counts;
+    CellComparison& cell = evidence[i].cell;
     cell.time = times[i];
-    cell.log_ratios = std::move(evidence[i].log_ratios);
-    cell.log2_volume_change = evidence[i].log2_volume_change;
     judge(cell, judge_fixed(evidence[i].fixed), evidence[i].is_drawn, options.time, comparison);
     comparison.cells.push_back(std::move(cell));
   }
@@ -161,11 +159,9 @@ std::string last_rounds(const Results& results) {
 }
 
 /// What two files' times say of each cell; `comparison.times` of all.
-std::vector<TimeVerdict> judge_files(const std::vector<Evidence>& evidence, const Results& base,
+std::vector<TimeVerdict> judge_files(const std::vector<CellTimes>& cells, const Results& base,
                                      const Results& now, const TimeRule& rule,
                                      Comparison& comparison) {
-  std::vector<CellTimes> cells;
-  for (const Evidence& cell : evidence) cells.push_back(cell_times(cell.cell));
   std::array<double, 3> yardsticks = yardsticks_of(now);
   const std::array<double, 3> before = yardsticks_of(base);
   for (std::size_t i = 0; i < before.size(); ++i) yardsticks[i] -= before[i];
@@ -285,15 +281,15 @@ Comparison first_look(const Results& base, const Results& now, const CompareOpti
 Comparison compare(const Results& base, const Results& now, const CompareOptions& options) {
   require_same_study(base, now);
   Comparison comparison = first_look(base, now, options, false);
-  Pairing pairing = pair_rows(base, now);
+  const Pairing pairing = pair_rows(base, now);
   note_pairing(pairing, comparison);
   std::vector<Evidence> evidence;
-  for (PairedCell& cell : pairing.cells) {
-    Evidence& added = evidence.emplace_back();
-    add_pairs(cell, options, added);
-    added.cell = std::move(cell);
+  std::vector<CellTimes> cells;
+  for (const PairedCell& cell : pairing.cells) {
+    add_pairs(cell, options, evidence.emplace_back(evidence_of(cell)));
+    cells.push_back(cell_times(cell));
   }
-  const std::vector<TimeVerdict> times = judge_files(evidence, base, now, options.time, comparison);
+  const std::vector<TimeVerdict> times = judge_files(cells, base, now, options.time, comparison);
   return judge_all(std::move(evidence), times, std::move(comparison), options);
 }
 
@@ -309,15 +305,15 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
     note_pairing(pairing, comparison);
     for (const PairedCell& cell : pairing.cells) {
       const auto [place, is_new] = place_of.try_emplace({cell.key, cell.n}, evidence.size());
-      if (is_new) evidence.push_back({.cell = cell, .counts = {}, .fixed = {}, .log_ratios = {}});
+      if (is_new) evidence.push_back(evidence_of(cell));
       Evidence& into = evidence[place->second];
       add_pairs(cell, options, into);
       const double ratio = round_log_time_ratio(cell);
-      if (std::isfinite(ratio)) into.log_ratios.push_back(ratio);
+      if (std::isfinite(ratio)) into.cell.log_ratios.push_back(ratio);
     }
   }
   std::vector<std::vector<double>> log_ratios;
-  for (const Evidence& cell : evidence) log_ratios.push_back(cell.log_ratios);
+  for (const Evidence& cell : evidence) log_ratios.push_back(cell.cell.log_ratios);
   const std::vector<TimeVerdict> times = judge_times(log_ratios, options.time);
   return judge_all(std::move(evidence), times, std::move(comparison), options);
 }

@@ -26,16 +26,13 @@ std::pair<std::string, std::string> draw_command_parts(const CurveKey& key) {
                       shell_word(key.algorithm), settings(key.options))};
 }
 
-std::string draw_command(const RunRecord& run) {
-  DrawnGraph graph;
-  graph.n = run.n >= 0 ? run.n : run.requested_n;
-  graph.seed = run.seed;
-  return draw_command(curve_of(run), graph);
+std::string draw_command(const CurveKey& key, std::int64_t n, std::uint64_t seed) {
+  const auto [before_n, behind_seed] = draw_command_parts(key);
+  return fmt::format("{}{} --seed {}{}", before_n, n, seed, behind_seed);
 }
 
-std::string draw_command(const CurveKey& key, const DrawnGraph& graph) {
-  const auto [before_n, behind_seed] = draw_command_parts(key);
-  return fmt::format("{}{} --seed {}{}", before_n, graph.n, graph.seed, behind_seed);
+std::string draw_command(const RunRecord& run) {
+  return draw_command(curve_of(run), run.n >= 0 ? run.n : run.requested_n, run.seed);
 }
 
 ShowCommand::ShowCommand(const RowView& rows) : file_(rows.file) {
@@ -49,20 +46,14 @@ ShowCommand::ShowCommand(const RowView& rows) : file_(rows.file) {
 }
 
 std::string ShowCommand::operator()(const CurveKey& key, const DrawnGraph& graph) const {
-  return needs_results(key) ? replay_command(file_, graph.row) : draw_command(key, graph);
+  return needs_results(key) ? fmt::format("ar3d replay {} {}", shell_word(file_), graph.row)
+                            : draw_command(key, graph.n, graph.seed);
 }
 
 std::string ShowCommand::operator()(const RunRecord& run, std::size_t row) const {
-  return needs_results(curve_of(run)) ? replay_command(file_, run, row) : draw_command(run);
-}
-
-std::string replay_command(const std::string& file, const RunRecord& run, std::size_t row) {
-  if (run.row_key.empty()) return replay_command(file, row);
-  return fmt::format("ar3d replay {} {}", shell_word(file), shell_word(run.row_key));
-}
-
-std::string replay_command(const std::string& file, std::size_t row) {
-  return fmt::format("ar3d replay {} {}", shell_word(file), row);
+  if (!needs_results(curve_of(run))) return draw_command(run);
+  return fmt::format("ar3d replay {} {}", shell_word(file_),
+                     run.row_key.empty() ? std::to_string(row) : shell_word(run.row_key));
 }
 
 }  // namespace ar3d

@@ -13,14 +13,14 @@ namespace ar3d {
 /// and options. Words that a shell would read in another way are quoted, whatever the results file
 /// holds.
 std::string draw_command(const RunRecord& run);
-std::string draw_command(const CurveKey& key, const DrawnGraph& graph);
+std::string draw_command(const CurveKey& key, std::int64_t n, std::uint64_t seed);
 
 /// The same line is the first part, n, " --seed ", the seed, the second part.
 std::pair<std::string, std::string> draw_command_parts(const CurveKey& key);
 
-/// Represents the line that shows a row of this study again: draw_command, or replay_command where
-/// that needs the results: the graph is one of a file (/graph_files), which no family makes, or a
-/// program of the study's own ("program_NAME" in /environments) draws it.
+/// Represents the line that shows a row of this study again: draw_command, or "ar3d replay FILE ROW"
+/// with the row's key or number where that needs the results. It does where the graph is one of a
+/// file (/graph_files), or where a program of the study's own ("program_NAME") draws it.
 class ShowCommand {
  public:
   explicit ShowCommand(const RowView& rows);
@@ -36,9 +36,5 @@ class ShowCommand {
   std::set<std::string> families_;  // of files
   std::set<std::string> programs_;
 };
-
-/// "ar3d replay FILE ROW" with the row's key, or with `row` (its number in /runs) if it has none.
-std::string replay_command(const std::string& file, const RunRecord& run, std::size_t row);
-std::string replay_command(const std::string& file, std::size_t row);
 
 }  // namespace ar3d

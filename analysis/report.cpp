@@ -76,7 +76,7 @@ std::vector<Table> report_tables(const StudyAnalysis& analysis, const SinceRefer
   report::add_trade(make);
   report::add_collections(make);
   report::add_precision(make);
-  make.tables.push_back(make.graphs.table(drawings.page_of_row, sections));
+  make.graphs.fill(drawings.page_of_row, sections, make.table("graphs"));
   return std::move(make.tables);
 }
 
@@ -120,11 +120,15 @@ std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t
 }
 
 std::string bounds_csv(const StudyAnalysis& analysis) {
-  return table_csv(report::bounds_table_of(analysis, report::sections(analysis)));
+  std::vector<Table> tables = empty_tables("report");
+  report::fill_bounds(analysis, report::sections(analysis), table_named("bounds", tables));
+  return table_csv(table_named("bounds", tables));
 }
 
 std::string scaling_csv(const StudyAnalysis& analysis) {
-  return table_csv(report::growth_table_of(analysis, report::sections(analysis)));
+  std::vector<Table> tables = empty_tables("report");
+  report::fill_growth(analysis, report::sections(analysis), table_named("growth", tables));
+  return table_csv(table_named("growth", tables));
 }
 
 void rows_csv(const RowView& rows, const TextSink& write) {

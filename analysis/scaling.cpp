@@ -49,11 +49,10 @@ std::vector<std::int64_t> doubled_sizes(const ScalingEntry& entry, std::size_t c
   return sizes;
 }
 
-void propose(std::vector<std::int64_t> sizes, std::size_t seeds, ScalingEntry& entry) {
+void propose(std::vector<std::int64_t> sizes, ScalingEntry& entry) {
   if (sizes.empty()) return;
-  entry.next = sizes_text(sizes) + fmt::format(" with {} seeds each", seeds);
+  entry.next = sizes_text(sizes) + fmt::format(" with {} seeds each", kUsualSeeds);
   entry.next_sizes = std::move(sizes);
-  entry.next_seeds = seeds;
 }
 
 double span_of(const std::vector<SizeSample>& sizes) {
@@ -62,23 +61,23 @@ double span_of(const std::vector<SizeSample>& sizes) {
 
 /// True if there are enough sizes; else says what is missing.
 bool has_enough_sizes(const FitOptions& options, ScalingEntry& entry) {
-  const auto& used = entry.sizes.used;
+  const auto& used = entry.used;
   if (used.size() < options.minimum_sizes) {
     entry.reason =
         fmt::format("{} sizes; at least {} are needed", used.size(), options.minimum_sizes);
-    propose(doubled_sizes(entry, options.minimum_sizes - used.size()), kUsualSeeds, entry);
+    propose(doubled_sizes(entry, options.minimum_sizes - used.size()), entry);
     return false;
   }
   if (span_of(used) < options.minimum_span) {
     entry.reason =
         fmt::format("the largest size is only {:.2g} times the smallest; at least {:.2g} is needed",
                     span_of(used), options.minimum_span);
-    propose(doubled_sizes(entry, 2), kUsualSeeds, entry);
+    propose(doubled_sizes(entry, 2), entry);
     return false;
   }
   if (used.front().n < kSmallestNForLogs) {
     entry.reason = fmt::format("sizes below {} cannot tell logarithms", kSmallestNForLogs);
-    propose(doubled_sizes(entry, 1), kUsualSeeds, entry);
+    propose(doubled_sizes(entry, 1), entry);
     return false;
   }
   return true;
@@ -91,9 +90,9 @@ bool is_adequate(const CurveFit& fit, double p_value, std::size_t sizes) {
 /// Point 5 of docs/analysis.md: the local exponent is the same over the sizes.
 bool is_power_law(const ScalingEntry& entry) {
   const Interval drift = entry.curvature.drift;
-  return span_of(entry.sizes.used) >= kLawSpan && drift.low > -kSteadyDrift &&
+  return span_of(entry.used) >= kLawSpan && drift.low > -kSteadyDrift &&
          drift.high < kSteadyDrift &&
-         is_adequate(entry.power, entry.curvature.line_p, entry.sizes.used.size());
+         is_adequate(entry.power, entry.curvature.line_p, entry.used.size());
 }
 
 bool holds_whole_number(const Interval& b) {
@@ -107,10 +106,10 @@ bool holds_whole_number(const Interval& b) {
 /// and as nothing else.
 bool is_power_and_log(const ScalingEntry& entry) {
   const Interval b = entry.with_log.log_exponent_interval;
-  return span_of(entry.sizes.used) >= kLogSpan && entry.curvature.drift.high < 0 && b.low > 0 &&
+  return span_of(entry.used) >= kLogSpan && entry.curvature.drift.high < 0 && b.low > 0 &&
          b.width() <= kLogExponentWidth && holds_whole_number(b) &&
          entry.log_weight >= kDecisiveWeight &&
-         is_adequate(entry.with_log, entry.curvature.with_log_p, entry.sizes.used.size());
+         is_adequate(entry.with_log, entry.curvature.with_log_p, entry.used.size());
 }
 
 /// What the local exponent does over the sizes, one clause.
@@ -142,10 +141,10 @@ void decide_growth(ScalingEntry& entry) {
   }
   entry.growth = Growth::apparent;
   const bool is_steady = curvature.drift.low > -kSteadyDrift && curvature.drift.high < kSteadyDrift;
-  if (is_steady && span_of(entry.sizes.used) >= kLawSpan) {
+  if (is_steady && span_of(entry.used) >= kLawSpan) {
     entry.reason += fmt::format("; the sizes are off the line (p {:.2g})", curvature.line_p);
   } else if (curvature.drift.contains(0)) {
-    propose(doubled_sizes(entry, 2), kUsualSeeds, entry);
+    propose(doubled_sizes(entry, 2), entry);
   }
 }
 
@@ -165,18 +164,11 @@ const char* to_string(Growth growth) {
   return kNames.at(static_cast<std::size_t>(growth));
 }
 
-std::string growth_label(const ScalingEntry& entry) {
-  std::string label = to_string(entry.growth);
-  if (entry.growth != Growth::apparent) return label;
-  const auto& used = entry.sizes.used;
-  return label + fmt::format(" on [{}, {}]", used.front().n, used.back().n);
-}
-
 ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options) {
   ScalingEntry entry;
   entry.all = std::move(all);
-  entry.sizes = choose_sizes(entry.all, options.minimum_sizes);
-  const auto& used = entry.sizes.used;
+  entry.used = choose_sizes(entry.all, options.minimum_sizes);
+  const auto& used = entry.used;
   entry.decided = has_enough_sizes(options, entry);
   entry.power = fit_curve(used, false, entry.decided, options.confidence);
   if (!entry.decided) return entry;

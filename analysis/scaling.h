@@ -27,7 +27,7 @@ struct ScalingEntry {
   Quantity quantity{};
   std::vector<SizeSample> all;        ///< everything measured, for plots
   std::vector<CensoredRow> censored;  ///< rows that ended before they had a value
-  FitSizes sizes;                     ///< what was fitted
+  std::vector<SizeSample> used;       ///< what was fitted: choose_sizes
   CurveFit power;                     ///< n^a; a is the apparent exponent over the fitted sizes
   CurveFit with_log;                  ///< n^a log^b n
   Curvature curvature;                ///< how far from a power law the sizes are
@@ -40,15 +40,10 @@ struct ScalingEntry {
   std::string reason;  ///< why so, one sentence
   std::string next;    ///< which sizes and seeds would decide, in words; empty if nothing would
   std::vector<std::int64_t> next_sizes;  ///< n to add for that
-  std::size_t next_seeds =
-      0;  ///< graphs of every size for that, old and new; 0: as many as there are
 };
 
 /// ScalingEntry::reason of a drawing time that no row of the timing phase tells.
 inline constexpr const char* kUntimed = "no rows of the timing phase";
-
-/// Returns "power law", "apparent exponent on [64, 8192]": the label for people.
-std::string growth_label(const ScalingEntry& entry);
 
 /// Fits one sample. Cost: O(s^2) for s sizes.
 ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options = {});

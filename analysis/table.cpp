@@ -10,6 +10,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d_page_files.h"
 
 namespace ar3d {
 namespace {
@@ -21,17 +22,11 @@ bool is_number(const std::string& text) {
   return std::from_chars(begin, end, value).ptr == end;
 }
 
-const char* type_name(CellType type) {
-  constexpr const char* kNames[] = {"integer", "number", "text", "flag"};
-  return kNames[static_cast<int>(type)];
-}
-
 void append_columns(const Table& table, std::string& json) {
   for (const TableColumn& column : table.columns) {
-    json +=
-        fmt::format("{}{{\"name\":{},\"unit\":{},\"meaning\":{},\"type\":\"{}\"}}",
-                    &column == table.columns.data() ? "" : ",\n", json_string(column.name),
-                    json_string(column.unit), json_string(column.meaning), type_name(column.type));
+    json += fmt::format("{}{{\"name\":{},\"unit\":{},\"meaning\":{},\"type\":\"{}\"}}",
+                        &column == table.columns.data() ? "" : ",\n", json_string(column.name),
+                        json_string(column.unit), json_string(column.meaning), column.type);
   }
 }
 
@@ -80,6 +75,29 @@ void Table::add(std::initializer_list<TableCell> row) { add(std::vector<TableCel
 void Table::add(std::vector<TableCell> row) {
   expect(row.size() == columns.size(), "a row has a cell for every column of its table");
   std::ranges::move(row, std::back_inserter(cells));
+}
+
+std::vector<Table> empty_tables(std::string_view page) {
+  static const auto described = nlohmann::ordered_json::parse(kPageTables);
+  std::vector<Table> tables;
+  for (const auto& [name, table] : described.at(page).items()) {
+    tables.push_back({name, table.at("row_is"), {}});
+    for (const auto& column : table.at("columns")) {
+      TableColumn& made = tables.back().columns.emplace_back(
+          TableColumn{column[0], column[1], column[2], column[3]});
+      for (std::size_t i = 4; i < column.size(); ++i) {
+        if (column[i].is_boolean()) made.in_csv = column[i];
+        if (column[i].is_number()) made.digits = column[i];
+      }
+    }
+  }
+  return tables;
+}
+
+Table& table_named(std::string_view name, std::vector<Table>& tables) {
+  const auto at = std::ranges::find(tables, name, &Table::name);
+  expect(at != tables.end(), "analysis/page/tables.json describes every table");
+  return *at;
 }
 
 std::string table_csv(const Table& table) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +24,10 @@ class TableCell {
   TableCell(const char* text) : value_(std::string(text)) {}
   TableCell(double number);
   TableCell(bool flag) : value_(flag) {}
+  template <class Value>
+  TableCell(const std::optional<Value>& value) {
+    if (value) *this = TableCell(*value);
+  }
   template <std::integral Integer>
   requires(!std::same_as<Integer, bool>) TableCell(Integer integer)
       : value_(static_cast<std::int64_t>(integer)) {}
@@ -40,15 +45,14 @@ class TableCell {
 /// Returns the number, or a missing cell if it is negative.
 TableCell count_or_none(std::int64_t value);
 
-enum class CellType { integer, number, text, flag };
-
+/// Describes a column of a table as analysis/page/tables.json does.
 struct TableColumn {
-  const char* name;
-  const char* unit;     ///< empty: a plain number, or no number
-  const char* meaning;  ///< one line
-  CellType type = CellType::text;
-  int digits = 6;      ///< of numbers in JSON; 0: all
-  bool in_csv = true;  ///< false: it is for the page only
+  std::string name;
+  std::string type;          ///< integer, number, text or flag
+  std::string unit = {};     ///< empty: a plain number, or no number
+  std::string meaning = {};  ///< one line
+  int digits = 6;            ///< of numbers in JSON; 0: all
+  bool in_csv = true;        ///< false: it is for the page only
 };
 
 /// Holds what analysis finds, for whoever shows it: named, typed columns and rows. It knows no
@@ -65,6 +69,12 @@ struct Table {
   std::size_t size() const { return cells.size() / columns.size(); }
   bool empty() const { return cells.empty(); }
 };
+
+/// Returns the tables of a page, "report" or "history", without rows: analysis/page/tables.json says
+/// which there are, and what their columns mean.
+std::vector<Table> empty_tables(std::string_view page);
+/// Returns the one with this name, which has to be there.
+Table& table_named(std::string_view name, std::vector<Table>& tables);
 
 /// Returns the names of the columns, then a line a row (RFC 4180).
 std::string table_csv(const Table& table);

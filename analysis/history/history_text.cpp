@@ -1,7 +1,8 @@
-// Says in words where a history changed: commit by commit, the last one first.
+// A history told: in words where it changed, commit by commit, the last one first; its tables.
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "ar3d/analysis/history/history.h"
 #include "ar3d/base/printable.h"
@@ -81,6 +82,28 @@ std::string sight_text(const History& history) {
                      percent_change(low), percent_change(high));
 }
 
+/// Leaves out what all environments share, where there are several.
+void fill_environments(const History& history, Table& table) {
+  std::set<std::string> names;
+  for (const auto& settings : history.environments) {
+    for (const auto& [name, value] : settings) names.insert(name);
+  }
+  for (const std::string& name : names) {
+    std::vector<std::string> values;
+    for (const auto& settings : history.environments) {
+      const auto at = settings.find(name);
+      values.push_back(at == settings.end() ? "absent" : at->second);
+    }
+    if (values.size() > 1 && std::set(values.begin(), values.end()).size() == 1) continue;
+    for (std::size_t i = 0; i < values.size(); ++i) table.add({i + 1, name, values[i]});
+  }
+}
+
+std::string compare_command(const History& history, const HistoryChange& change) {
+  return fmt::format("ar3d compare {} {}", shell_word(history.results[change.before].file),
+                     shell_word(history.results[change.at].file));
+}
+
 }  // namespace
 
 const char* direction_text(const HistoryChange& change) {
@@ -96,9 +119,41 @@ const char* direction_text(const HistoryChange& change) {
   return (change.direction > 0 ? kMore : kLess)[static_cast<std::size_t>(change.measure)];
 }
 
-std::string compare_command(const History& history, const HistoryChange& change) {
-  return fmt::format("ar3d compare {} {}", shell_word(history.results[change.before].file),
-                     shell_word(history.results[change.at].file));
+std::vector<Table> history_tables(const History& history, const std::string& folder) {
+  std::vector<Table> tables = empty_tables("history");
+  const auto table = [&](const char* name) -> Table& { return table_named(name, tables); };
+  table("summary").add({folder, history.results.size(), history.environments.size(),
+                        history.lines.size(),
+                        std::ranges::count(history.lines, true, &HistoryLine::is_judged)});
+  for (const CommitResults& one : history.results) {
+    table("results").add({one.place, one.name, one.source_hash.substr(0, 12), one.study,
+                          one.created, one.environment + 1, one.unfinished, one.slowness,
+                          one.untimed});
+  }
+  for (std::size_t i = 0; i < history.lines.size(); ++i) {
+    const HistoryLine& line = history.lines[i];
+    const CurveKey& curve = line.cell.curve;
+    table("lines").add({line.environment + 1, line.study, algorithm_label(curve),
+                        family_label(curve), count_or_none(line.cell.n), line.cell.graphs,
+                        cell_label(curve, line.cell.n), to_string(line.measure), line.is_judged});
+    const double first = line.values.front() > 0 ? line.values.front() : kMissing;
+    for (std::size_t at = 0; at < line.values.size(); ++at) {
+      table("history").add({i, line.results[at], line.values[at], line.values[at] / first - 1});
+    }
+  }
+  for (const HistoryChange& change : history.changes) {
+    table("changes").add({change.at, change.before, change.setting, to_string(change.measure),
+                          direction_text(change), change.direction > 0, change.cells, change.of,
+                          std::expm1(change.effect), std::expm1(change.interval.low),
+                          std::expm1(change.interval.high), change.line,
+                          compare_command(history, change)});
+  }
+  for (const auto& [environment, study, smallest] : history.sights) {
+    table("sights").add({environment + 1, study, smallest.setting, smallest.cells, smallest.results,
+                         std::expm1(smallest.at_once), std::expm1(smallest.best)});
+  }
+  fill_environments(history, table("environments"));
+  return tables;
 }
 
 std::string summary(const History& history, std::size_t most_commits) {

@@ -1,7 +1,8 @@
-# Writes ar3d_page_files.h: templates, style and scripts of the pages as texts, and the hashes of the scripts.
+# Writes ar3d_page_files.h: templates, tables, style and scripts of the pages as texts, and the hashes of the scripts.
 # Included by analysis/CMakeLists.txt.
 set(page_folder ${CMAKE_CURRENT_LIST_DIR})
 ar3d_text_literal(${page_folder}/page.css page_style)
+ar3d_text_literal(${page_folder}/tables.json page_tables)
 ar3d_text_literal(${page_folder}/report.html report_template)
 ar3d_text_literal(${page_folder}/history.html history_template)
 ar3d_joined(report_script ${page_folder} values.js tables.js charts.js graphs.js growth.js compared.js real.js precision.js report.js)
@@ -9,6 +10,7 @@ ar3d_joined(history_script ${page_folder} values.js tables.js charts.js history.
 ar3d_joined(plot_script ${page_folder} plot/plot.min.js)
 set(page_text "// Made from analysis/page/ by analysis/page/embed_page.cmake.\n#include <string_view>\nnamespace ar3d {\n")
 string(APPEND page_text "inline constexpr std::string_view kPageStyle = ${page_style};\n")
+string(APPEND page_text "inline constexpr std::string_view kPageTables = ${page_tables};\n")
 string(APPEND page_text "inline constexpr std::string_view kReportTemplate = ${report_template};\n")
 string(APPEND page_text "inline constexpr std::string_view kHistoryTemplate = ${history_template};\n")
 foreach(name Report History Plot)

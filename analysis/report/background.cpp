@@ -11,8 +11,6 @@
 namespace ar3d::report {
 namespace {
 
-using enum CellType;
-
 constexpr std::array kVerdicts = {Verdict::violated, Verdict::regressed, Verdict::inconclusive,
                                   Verdict::unjudged, Verdict::improved,  Verdict::pass};
 
@@ -40,16 +38,7 @@ void add_since_settings(TableMaker& make, const Comparison& comparison) {
     setting.time = farther(setting.time, time_ratio(cell));
     setting.volume = farther(setting.volume, std::exp2(cell.log2_volume_change));
   }
-  Table& table = make.start("since_settings", "a setting: its cells by their verdict",
-                            {{"setting", "", "its name"},
-                             {"violated", "", "cells", integer},
-                             {"regressed", "", "cells", integer},
-                             {"inconclusive", "", "cells", integer},
-                             {"unjudged", "", "cells", integer},
-                             {"improved", "", "cells", integer},
-                             {"pass", "", "cells", integer},
-                             {"time", "", "ratio of times farthest from 1", number},
-                             {"volume", "", "ratio of volumes farthest from 1", number}});
+  Table& table = make.table("since_settings");
   for (const auto& [label, setting] : settings) {
     std::vector<TableCell> row = {label};
     for (const Verdict verdict : kVerdicts) {
@@ -64,16 +53,7 @@ void add_since_settings(TableMaker& make, const Comparison& comparison) {
 /// The cells that are neither a plain pass nor merely unjudged or inconclusive, the heaviest
 /// verdicts first.
 void add_since_cells(TableMaker& make, const Comparison& comparison) {
-  Table& table = make.start("since_cells", "a cell in which something changed",
-                            {{"verdict", "", "of the cell"},
-                             {"setting", "", "an algorithm with its options"},
-                             {"family", "", "the family"},
-                             {"n", "vertices", "vertices; missing: all sizes", integer},
-                             {"time", "", "ratio of times", number},
-                             {"instructions", "", "ratio of instructions", number},
-                             {"cycles", "", "ratio of estimated cycles", number},
-                             {"volume", "", "ratio of volumes", number},
-                             {"reason", "", "why"}});
+  Table& table = make.table("since_cells");
   for (const Verdict verdict : kVerdicts) {
     for (const CellComparison& cell : comparison.cells) {
       const bool is_plain = verdict == Verdict::pass || verdict == Verdict::unjudged;
@@ -87,16 +67,7 @@ void add_since_cells(TableMaker& make, const Comparison& comparison) {
 }
 
 void add_since(TableMaker& make) {
-  Table& since = make.start("since", "the comparison with the reference",
-                            {{"why_none", "", "why nothing was compared; missing: it was"},
-                             {"file", "", "of the reference"},
-                             {"created", "", "of the reference"},
-                             {"word", "", "the verdict of `ar3d compare`"},
-                             {"judged", "", "what the verdict is about"},
-                             {"rows", "", "measurements that both hold", integer},
-                             {"cells", "", "cells", integer},
-                             {"is_copy", "", "the two hold the same measurements", flag},
-                             {"time_judged", "", "times were judged", flag}});
+  Table& since = make.table("since");
   if (!make.since.comparison) {
     since.add({make.since.why_none, {}, {}, {}, {}, {}, {}, {}, {}});
     return;
@@ -111,17 +82,11 @@ void add_since(TableMaker& make) {
              comparison.cells.size(),
              comparison.is_copy,
              comparison.time_judged});
-  Table& environment = make.start("since_environment", "what makes times hard to compare",
-                                  {{"name", "", "the setting"},
-                                   {"base", "", "its value there"},
-                                   {"now", "", "its value here"},
-                                   {"differs", "", "the two differ", flag}});
+  Table& environment = make.table("since_environment");
   for (const EnvironmentChange& change : comparison.environment) {
     environment.add({change.name, change.base, change.now, change.differs()});
   }
-  Table& remarks = make.start(
-      "since_remarks", "a remark of the comparison",
-      {{"incomplete", "", "why the comparison is not whole", flag}, {"text", "", "one line"}});
+  Table& remarks = make.table("since_remarks");
   for (const std::string& line : comparison.incomplete) remarks.add({true, line});
   for (const std::string& line : comparison.remarks) remarks.add({false, line});
   add_since_settings(make, comparison);
@@ -129,18 +94,9 @@ void add_since(TableMaker& make) {
 }
 
 void add_metrics(TableMaker& make) {
-  Table& names = make.start("metrics", "a metric",
-                            {{"metric", "", "its column in the results"},
-                             {"unit", "", "its unit"},
-                             {"definition", "", "what it is"}});
+  Table& names = make.table("metrics");
   for (const Metric& metric : metrics()) names.add({metric.name, metric.unit, metric.definition});
-  Table& values = make.start("metric_values", "a metric of a setting's graphs of the largest n",
-                             {{"metric", "", "its row in metrics", integer},
-                              {"setting", "", "its row in settings", integer},
-                              {"n", "vertices", "the largest n that was drawn", integer},
-                              {"median", "", "median over the graphs", number},
-                              {"least", "", "least value", number},
-                              {"largest", "", "largest value", number}});
+  Table& values = make.table("metric_values");
   for (std::size_t i = 0; i < make.sections.size(); ++i) {
     std::int64_t n = -1;
     std::vector<const DrawnGraph*> graphs;
@@ -165,18 +121,7 @@ void add_metrics(TableMaker& make) {
 }
 
 void add_scaling(TableMaker& make) {
-  Table& table = make.start(
-      "scaling", "equal drawings shared by threads or ranks, medians over batches",
-      {{"algorithm", "", "with its options"},
-       {"kind", "", "strong: the same drawings; weak: as many for each"},
-       {"shared_by", "", "threads or ranks"},
-       {"family", "", "the family"},
-       {"n", "vertices", "vertices", integer},
-       {"sharers", "", "how many share a batch", integer},
-       {"batch", "s", "time of a batch", number},
-       {"ideal", "s", "ideal time of a batch", number},
-       {"efficiency", "", "ideal time over time", number},
-       {"at_a_time", "", "drawings made in the time in which one alone makes one", number}});
+  Table& table = make.table("scaling");
   for (const auto& [key, batch] : make.analysis.tally.batches) {
     const double efficiency = median(batch.efficiency);
     table.add({key.algorithm, is_strong(key.phase) ? "strong" : "weak",
@@ -192,8 +137,7 @@ void add_background(TableMaker& make) {
   add_since(make);
   add_metrics(make);
   add_scaling(make);
-  Table& table = make.start("environment", "a recorded setting of the machine and the build",
-                            {{"name", "", "the setting"}, {"value", "", "its value"}});
+  Table& table = make.table("environment");
   for (const EnvironmentEntry& entry : *make.analysis.rows.environment) {
     table.add({entry.name, entry.value});
   }

@@ -15,8 +15,6 @@
 namespace ar3d::report {
 namespace {
 
-using enum CellType;
-
 constexpr std::size_t kMostCompared = 6;      // settings of the pairs
 constexpr std::size_t kScatterPoints = 1000;  // of two settings
 constexpr std::size_t kFewPoints = 100;       // by measures beyond the first two
@@ -27,10 +25,34 @@ constexpr double kProfileEnd = 4;  // decades behind the best
 constexpr int kProfileSteps = 80;
 constexpr std::size_t kMeasured = 2;  // measures of bins and of scatters with all points
 
+/// What graphs are compared by: a decimal logarithm, the less the better. Counts, which may be 0,
+/// are compared by one more.
+struct CollectionMeasure {
+  const char* name;
+  bool is_larger_better = false;
+  bool is_count = false;
+
+  double value(double log10) const { return std::pow(10, log10) - (is_count ? 1 : 0); }
+};
+constexpr std::array<CollectionMeasure, 8> kCompared = {{{"volume"},
+                                                         {"drawing time"},
+                                                         {"total edge length"},
+                                                         {"smallest angle at a vertex", true},
+                                                         {"smallest angle at a bend", true},
+                                                         {"longest over mean edge"},
+                                                         {"crossings", false, true},
+                                                         {"bends", false, true}}};
+
+/// A drawing of a graph, and its logarithms in the order of kCompared.
+struct CollectionDrawing {
+  const DrawnGraph* graph = nullptr;
+  std::array<double, kCompared.size()> logs{};
+};
+
 /// One graph, and what the settings made of it.
 struct CollectionGraph {
   std::int64_t n = 0;
-  std::map<std::size_t, const DrawnGraph*> drawn;  // by setting of the collection
+  std::map<std::size_t, CollectionDrawing> drawn;  // by setting of the collection
 };
 
 /// The graphs of one name with parameters, all that the tally keeps.
@@ -39,60 +61,20 @@ struct Collection {
   std::vector<std::pair<std::size_t, const SectionCurve*>> settings;  // with their sections
   bool is_relative = false, is_timed = true;
   std::map<std::pair<std::uint64_t, std::int64_t>, CollectionGraph> graphs;  // by seed and place
+
+  std::array<double, kCompared.size()> logs_of(const DrawnGraph& graph) const {
+    const auto log = [&](const char* metric) { return log10_metric(graph, metric); };
+    return {(is_relative ? graph.log2_relative_volume : graph.log2_volume) * std::log10(2),
+            is_timed ? decimal(graph.log_timed_s) : kMissing,
+            log("total_edge_length") - log("smallest_vertex_distance"),
+            log("smallest_vertex_angle"),
+            log("smallest_bend_angle"),
+            log("longest_edge_length") - log("total_edge_length") +
+                decimal(log_positive(static_cast<double>(graph.m))),
+            std::log10(1 + metric_of(graph, "crossings")),
+            std::log10(1 + bends_of(graph))};
+  }
 };
-
-/// What graphs are compared by: a decimal logarithm, the less the better. Counts, which may be 0,
-/// are compared by one more.
-struct CollectionMeasure {
-  const char* name;
-  double (*log10_value)(const Collection&, const DrawnGraph&);
-  bool is_larger_better = false;
-  bool is_count = false;
-
-  double value(double log10) const { return std::pow(10, log10) - (is_count ? 1 : 0); }
-};
-
-const std::vector<CollectionMeasure>& measures() {
-  static const std::vector<CollectionMeasure> all = {
-      {"volume",
-       [](const Collection& of, const DrawnGraph& graph) {
-         return (of.is_relative ? graph.log2_relative_volume : graph.log2_volume) * std::log10(2);
-       }},
-      {"drawing time",
-       [](const Collection& of, const DrawnGraph& graph) {
-         return of.is_timed ? decimal(graph.log_timed_s) : kMissing;
-       }},
-      {"total edge length",
-       [](const Collection&, const DrawnGraph& graph) {
-         return log10_metric(graph, "total_edge_length") -
-                log10_metric(graph, "smallest_vertex_distance");
-       }},
-      {"smallest angle at a vertex",
-       [](const Collection&, const DrawnGraph& graph) {
-         return log10_metric(graph, "smallest_vertex_angle");
-       },
-       true},
-      {"smallest angle at a bend",
-       [](const Collection&, const DrawnGraph& graph) {
-         return log10_metric(graph, "smallest_bend_angle");
-       },
-       true},
-      {"longest over mean edge",
-       [](const Collection&, const DrawnGraph& graph) {
-         return log10_metric(graph, "longest_edge_length") -
-                log10_metric(graph, "total_edge_length") +
-                decimal(log_positive(static_cast<double>(graph.m)));
-       }},
-      {"crossings",
-       [](const Collection&, const DrawnGraph& graph) {
-         return std::log10(1 + metric_of(graph, "crossings"));
-       },
-       false, true},
-      {"bends",
-       [](const Collection&, const DrawnGraph& graph) { return std::log10(1 + bends_of(graph)); },
-       false, true}};
-  return all;
-}
 
 /// The collections of the study, in the order of the file.
 std::vector<Collection> collections_of(const std::vector<Section>& sections) {
@@ -112,8 +94,15 @@ std::vector<Collection> collections_of(const std::vector<Section>& sections) {
         for (const DrawnGraph& graph : size.graphs) {
           CollectionGraph& known = collection.graphs[{graph.seed, graph.instance}];
           known.n = std::max<std::int64_t>(1, graph.n);
-          known.drawn[setting] = &graph;
+          known.drawn[setting].graph = &graph;
         }
+      }
+    }
+  }
+  for (Collection& collection : all) {
+    for (auto& [key, graph] : collection.graphs) {
+      for (auto& [setting, drawing] : graph.drawn) {
+        drawing.logs = collection.logs_of(*drawing.graph);
       }
     }
   }
@@ -128,14 +117,14 @@ struct GraphPair {
 };
 
 /// In increasing order of the second value over the first.
-std::vector<GraphPair> pairs_of(const Collection& collection, const CollectionMeasure& measure,
-                                std::size_t a, std::size_t b) {
+std::vector<GraphPair> pairs_of(const Collection& collection, std::size_t measure, std::size_t a,
+                                std::size_t b) {
   std::vector<GraphPair> pairs;
   for (const auto& [key, graph] : collection.graphs) {
     const auto one = graph.drawn.find(a), other = graph.drawn.find(b);
     if (one == graph.drawn.end() || other == graph.drawn.end()) continue;
-    const GraphPair pair{one->second, other->second, measure.log10_value(collection, *one->second),
-                         measure.log10_value(collection, *other->second)};
+    const GraphPair pair{one->second.graph, other->second.graph, one->second.logs[measure],
+                         other->second.logs[measure]};
     if (!std::isnan(pair.ratio())) pairs.push_back(pair);
   }
   std::ranges::stable_sort(pairs, {}, &GraphPair::ratio);
@@ -160,69 +149,14 @@ void for_each_pair(const Collection& collection, const Use& use) {
 }
 
 struct CollectionTables {
-  Table collections{"collections",
-                    "a collection and a setting: what became of the graphs",
-                    {{"collection", "", "name of the graphs"},
-                     {"setting", "", "its row in settings", integer},
-                     {"unit", "", "of volumes"},
-                     {"graphs", "", "graphs", integer},
-                     {"drawn", "", "graphs that were drawn", integer},
-                     {"share", "", "of them", number},
-                     {"refused", "", "rows", integer},
-                     {"violated", "", "rows", integer},
-                     {"unfinished", "", "rows", integer}}};
-  Table profile{"profile",
-                "a setting and a factor: graphs within it of the best drawing",
-                {{"collection", "", "name of the graphs"},
-                 {"measure", "", "what is compared"},
-                 {"setting", "", "its row in settings", integer},
-                 {"factor", "", "times the best of the same graph", number, 5},
-                 {"share", "", "of the graphs that some setting drew", number, 5},
-                 {"graphs", "", "these", integer}}};
-  Table common{"common_profile", "the same of the graphs that every setting drew", profile.columns};
-  Table pairs{"pairs",
-              "a graph that two settings drew",
-              {{"collection", "", "name of the graphs"},
-               {"measure", "", "what is compared"},
-               {"setting", "", "its row in settings", integer},
-               {"other", "", "row of the other setting", integer},
-               {"value", "", "of the setting", number, 5},
-               {"other_value", "", "of the other setting", number, 5},
-               {"ratio", "", "the other value over the value", number, 5},
-               {"row", "", "of the setting in /runs", integer},
-               {"other_row", "", "of the other setting", integer},
-               {"outlier", "", "among the three on either side", flag}}};
-  Table pair_counts{
-      "pair_counts",
-      "two settings: how many graphs both drew",
-      {{"collection", "", "name of the graphs"},
-       {"measure", "", "what is compared"},
-       {"setting", "", "its row in settings", integer},
-       {"other", "", "row of the other setting", integer},
-       {"graphs", "", "that both drew", integer},
-       {"share", "", "of them with a larger value of the other", number},
-       {"ties", "", "of them with equal values", integer},
-       {"ratio", "", "median of the other value over the value; counts plus 1", number, 4},
-       {"ratio_low", "", "its interval of 95 %, by order statistics", number, 4},
-       {"ratio_high", "", "upper end", number, 4},
-       {"p", "", "two-sided sign test, without ties", number, 3}}};
-  Table bins{"bins",
-             "a setting and a bin of n: medians over its graphs",
-             {{"collection", "", "name of the graphs"},
-              {"measure", "", "what is compared"},
-              {"setting", "", "its row in settings", integer},
-              {"n", "vertices", "median n of the bin", number},
-              {"median", "", "median", number, 5}}};
-  Table groups{"group_medians",
-               "a group of graphs and a setting",
-               {{"collection", "", "name of the graphs"},
-                {"measure", "", "what is compared"},
-                {"group", "", "name of the group"},
-                {"graphs", "", "graphs in it", integer},
-                {"setting", "", "its row in settings", integer},
-                {"median", "", "median over those that the setting drew", number, 5},
-                {"low", "", "tenth of them below", number, 5},
-                {"high", "", "tenth of them above", number, 5}}};
+  TableMaker& make;
+  Table& collections = make.table("collections");
+  Table& profile = make.table("profile");
+  Table& common = make.table("common_profile");
+  Table& pairs = make.table("pairs");
+  Table& pair_counts = make.table("pair_counts");
+  Table& bins = make.table("bins");
+  Table& groups = make.table("group_medians");
 
   void add_drawn(const Collection& of) {
     for (const auto& [setting, curve] : of.settings) {
@@ -243,17 +177,17 @@ struct CollectionTables {
   /// The share of graphs that each setting draws within a factor of the best (Dolan and Moré,
   /// Benchmarking optimization software with performance profiles, Mathematical Programming 91,
   /// 2002).
-  void add_profile(const Collection& of, const CollectionMeasure& measure, bool is_common) {
+  void add_profile(const Collection& of, std::size_t measure, bool is_common) {
     std::vector<std::vector<double>> behind(of.settings.size());
     std::size_t graphs = 0;
     for (const auto& [key, one] : of.graphs) {
       if (is_common && one.drawn.size() < of.settings.size()) continue;
       double best = kMissing;
       std::vector<std::pair<std::size_t, double>> costs;
-      for (const auto& [setting, graph] : one.drawn) {
-        const double value = measure.log10_value(of, *graph);
+      for (const auto& [setting, drawing] : one.drawn) {
+        const double value = drawing.logs[measure];
         if (std::isnan(value)) continue;
-        costs.emplace_back(setting, measure.is_larger_better ? -value : value);
+        costs.emplace_back(setting, kCompared[measure].is_larger_better ? -value : value);
         best = std::fmin(best, costs.back().second);
       }
       graphs += !costs.empty();
@@ -269,14 +203,13 @@ struct CollectionTables {
         const double x = end * step / kProfileSteps;
         const auto within = std::ranges::upper_bound(behind[s], x + 1e-9) - behind[s].begin();
         (is_common ? common : profile)
-            .add({of.family, measure.name, of.settings[s].first, std::pow(10, x),
+            .add({of.family, kCompared[measure].name, of.settings[s].first, std::pow(10, x),
                   static_cast<double>(within) / static_cast<double>(graphs), graphs});
       }
     }
   }
 
-  void add_pairs(const Collection& of, const CollectionMeasure& measure, std::size_t most_points,
-                 GraphList& graphs) {
+  void add_pairs(const Collection& of, std::size_t measure, std::size_t most_points) {
     for_each_pair(of, [&](std::size_t a, std::size_t b) {
       const std::vector<GraphPair> all = pairs_of(of, measure, a, b);
       if (all.empty()) return;
@@ -288,22 +221,22 @@ struct CollectionTables {
       const auto above = static_cast<std::size_t>(
           std::ranges::count_if(all, [](const GraphPair& pair) { return pair.ratio() > kEqual; }));
       const Interval interval = median_interval(ratios);
-      pair_counts.add({of.family, measure.name, one, other, all.size(),
+      pair_counts.add({of.family, kCompared[measure].name, one, other, all.size(),
                        static_cast<double>(above) / static_cast<double>(all.size()),
                        all.size() - above - below, median(ratios), interval.low, interval.high,
                        sign_test(below, above)});
       const auto add = [&](const GraphPair& pair, bool is_outlier) {
-        pairs.add({of.family, measure.name, one, other, measure.value(pair.x),
-                   measure.value(pair.y), std::pow(10, pair.ratio()),
-                   graphs.add(of.settings[a].second->place, *pair.one),
-                   graphs.add(of.settings[b].second->place, *pair.other), is_outlier});
+        pairs.add({of.family, kCompared[measure].name, one, other, kCompared[measure].value(pair.x),
+                   kCompared[measure].value(pair.y), std::pow(10, pair.ratio()),
+                   make.graphs.add(of.settings[a].second->place, *pair.one),
+                   make.graphs.add(of.settings[b].second->place, *pair.other), is_outlier});
       };
       for (const GraphPair& pair : outliers(all)) add(pair, true);
       for (const GraphPair& pair : evenly(all, most_points)) add(pair, false);
     });
   }
 
-  void add_bins(const Collection& of, const CollectionMeasure& measure) {
+  void add_bins(const Collection& of, std::size_t measure) {
     std::set<std::int64_t> all_n;
     for (const auto& [key, one] : of.graphs) all_n.insert(one.n);
     for (const SizeBin& bin : size_bins(all_n, kMostBins)) {
@@ -312,42 +245,43 @@ struct CollectionTables {
       for (const auto& [key, one] : of.graphs) {
         if (one.n < bin.first || one.n > bin.last) continue;
         sizes.push_back(static_cast<double>(one.n));
-        for (const auto& [setting, graph] : one.drawn) {
-          const double value = measure.log10_value(of, *graph);
+        for (const auto& [setting, drawing] : one.drawn) {
+          const double value = drawing.logs[measure];
           if (!std::isnan(value)) values[setting].push_back(value);
         }
       }
       for (auto& [setting, logs] : values) {
-        bins.add({of.family, measure.name, of.settings[setting].first, median(sizes),
-                  measure.value(median(std::move(logs)))});
+        bins.add({of.family, kCompared[measure].name, of.settings[setting].first, median(sizes),
+                  kCompared[measure].value(median(std::move(logs)))});
       }
     }
   }
 
-  void add_groups(const Collection& of, const CollectionMeasure& measure) {
+  void add_groups(const Collection& of, std::size_t measure) {
     struct Group {
       std::size_t graphs = 0;
       std::map<std::size_t, std::vector<double>> values;  // by setting
     };
     const bool has_groups = std::ranges::any_of(of.graphs, [](const auto& graph) {
-      return !graph.second.drawn.begin()->second->group.empty();
+      return !graph.second.drawn.begin()->second.graph->group.empty();
     });
     if (!has_groups) return;
     std::map<std::string, Group, AsPeopleSort> all;
     for (const auto& [key, one] : of.graphs) {
-      const std::string& group_name = one.drawn.begin()->second->group;
+      const std::string& group_name = one.drawn.begin()->second.graph->group;
       const std::string name = group_name.empty() ? "(no group)" : group_name;
       Group& group = all[name];
       ++group.graphs;
-      for (const auto& [setting, graph] : one.drawn) {
-        const double value = measure.log10_value(of, *graph);
-        if (!std::isnan(value)) group.values[setting].push_back(measure.value(value));
+      for (const auto& [setting, drawing] : one.drawn) {
+        const double value = drawing.logs[measure];
+        if (!std::isnan(value)) group.values[setting].push_back(kCompared[measure].value(value));
       }
     }
     for (const auto& [name, group] : all) {
       for (const auto& [setting, values] : group.values) {
-        groups.add({of.family, measure.name, name, group.graphs, of.settings[setting].first,
-                    median(values), quantile(values, 0.1), quantile(values, 0.9)});
+        groups.add({of.family, kCompared[measure].name, name, group.graphs,
+                    of.settings[setting].first, median(values), quantile(values, 0.1),
+                    quantile(values, 0.9)});
       }
     }
   }
@@ -356,23 +290,16 @@ struct CollectionTables {
 }  // namespace
 
 void add_collections(TableMaker& make) {
-  CollectionTables tables;
+  CollectionTables tables{make};
   for (const Collection& collection : collections_of(make.sections)) {
     tables.add_drawn(collection);
-    for (std::size_t m = 0; m < measures().size(); ++m) {
+    for (std::size_t m = 0; m < kCompared.size(); ++m) {
       const bool is_first = m < kMeasured;
-      for (const bool is_common : {false, true}) {
-        tables.add_profile(collection, measures()[m], is_common);
-      }
-      tables.add_groups(collection, measures()[m]);
-      tables.add_pairs(collection, measures()[m], is_first ? kScatterPoints : kFewPoints,
-                       make.graphs);
-      if (is_first) tables.add_bins(collection, measures()[m]);
+      for (const bool is_common : {false, true}) tables.add_profile(collection, m, is_common);
+      tables.add_groups(collection, m);
+      tables.add_pairs(collection, m, is_first ? kScatterPoints : kFewPoints);
+      if (is_first) tables.add_bins(collection, m);
     }
-  }
-  for (Table* table : {&tables.collections, &tables.profile, &tables.common, &tables.pairs,
-                       &tables.pair_counts, &tables.bins, &tables.groups}) {
-    make.tables.push_back(std::move(*table));
   }
 }
 
@@ -380,7 +307,7 @@ std::vector<std::size_t> collection_outliers(const std::vector<Section>& section
   std::vector<std::size_t> rows;
   for (const Collection& collection : collections_of(sections)) {
     for_each_pair(collection, [&](std::size_t a, std::size_t b) {
-      for (const GraphPair& pair : outliers(pairs_of(collection, measures().front(), a, b))) {
+      for (const GraphPair& pair : outliers(pairs_of(collection, 0, a, b))) {
         rows.push_back(pair.one->row);
         rows.push_back(pair.other->row);
       }

@@ -12,8 +12,6 @@
 namespace ar3d::report {
 namespace {
 
-using enum CellType;
-
 constexpr double kFarBound = 1.5;       // decades: a bound further up is told, not drawn
 constexpr double kPointBudget = 60000;  // points of a page
 constexpr double kLineBudget = 66000;   // sizes of a page's lines
@@ -176,13 +174,7 @@ void add_points(TableMaker& make, std::size_t most) {
 /// One band: below it nothing can be, above it the theorem promises that nothing is; the drawings
 /// lie in between.
 void add_volume_bands(TableMaker& make) {
-  Table& table =
-      make.start("volume_bands", "a setting and n: its volume between its bounds",
-                 {{"setting", "", "its row in settings", integer},
-                  {"n", "vertices", "n that was asked for", integer},
-                  {"least", "", "what any drawing needs, over n to the order", number, 5},
-                  {"drawn", "", "median of the families' medians", number, 5},
-                  {"most", "", "what the theorem excludes", number, 5}});
+  Table& table = make.table("volume_bands");
   for (std::size_t i = 0; i < make.sections.size(); ++i) {
     const Figure figure = figure_of(make, i, Quantity::volume);
     std::map<std::int64_t, std::array<std::vector<double>, 3>> bands;
@@ -209,41 +201,10 @@ void add_volume_bands(TableMaker& make) {
 
 void add_curves(TableMaker& make) {
   const PageBudget budget = budget_of(make.analysis.tally);
-  Table curves{"curves",
-               "a curve, a quantity and n: values over `divisor`",
-               {{"curve", "", "its row in bounds", integer},
-                {"quantity", "", "what grows"},
-                {"n", "vertices", "vertices", integer},
-                {"graphs", "", "graphs, or a sample of them", integer},
-                {"least", "", "least value", number, 5},
-                {"median", "", "median over the graphs", number, 5},
-                {"largest", "", "largest value", number, 5},
-                {"row", "", "of the graph with the largest one in /runs", integer},
-                {"bound", "", "the theorem's bound", number, 5},
-                {"divisor", "", "n to the order of the theorem's bound", number, 9}}};
-  Table bands{"bands",
-              "a setting, a quantity and n: medians of families, over n to the order",
-              {{"setting", "", "its row in settings", integer},
-               {"quantity", "", "what grows"},
-               {"n", "vertices", "n that was asked for", integer},
-               {"families", "", "curves", integer},
-               {"least", "", "least median", number, 5},
-               {"median", "", "median of the medians", number, 5},
-               {"largest", "", "largest median", number, 5}}};
-  Table bounds{"bound_lines",
-               "a setting, a quantity and n: the theorem's bound over n to the order",
-               {{"setting", "", "its row in settings", integer},
-                {"quantity", "", "what grows"},
-                {"n", "vertices", "vertices", integer},
-                {"bound", "", "the bound", number, 5}}};
-  Table figures{
-      "figures",
-      "a setting and a quantity: what a figure of them says",
-      {{"setting", "", "its row in settings", integer},
-       {"quantity", "", "what grows"},
-       {"order", "", "the power of n that values are divided by", number},
-       {"families", "", "families", integer},
-       {"beyond", "", "how many times above all data the bound lies, if far", number, 3}}};
+  Table& curves = make.table("curves");
+  Table& bands = make.table("bands");
+  Table& bounds = make.table("bound_lines");
+  Table& figures = make.table("figures");
   std::vector<Quantity> shown = {Quantity::longest_side, Quantity::volume, Quantity::wall_s};
   if (make.all) shown = quantities();
   for (std::size_t i = 0; i < make.sections.size(); ++i) {
@@ -255,8 +216,6 @@ void add_curves(TableMaker& make) {
       add_bound(figure, bounds, figures);
     }
   }
-  for (Table* table : {&curves, &bands, &bounds, &figures})
-    make.tables.push_back(std::move(*table));
   add_points(make, budget.points_of_a_size);
   add_volume_bands(make);
 }

@@ -10,8 +10,6 @@
 namespace ar3d::report {
 namespace {
 
-using enum CellType;
-
 constexpr std::size_t kMostLookedAt = 200000, kMostReal = 200000, kMostRealOfPage = 40000;
 constexpr std::size_t kMostJudged = 2000, kMostJudgedSizes = 16, kMostPointsOfCurve = 3000;
 
@@ -57,26 +55,7 @@ std::vector<double> part_of(const std::vector<Costs>& costs, std::size_t part) {
 }
 
 void add_judgements(TableMaker& make, const Judged& judged) {
-  std::vector<TableColumn> columns = {
-      {"algorithm", "", "with its options"},
-      {"n", "vertices", "n that was asked for; of many the largest of a bin", integer},
-      {"certificate", "", "how drawings were judged; only exact proves"},
-      {"level", "", "what a row stores of its drawing"},
-      {"rows", "", "rows", integer},
-      {"violated", "", "of them violated", integer},
-      {"has_levels", "", "the algorithm has several levels at this n", flag},
-      {"bytes", "bytes a vertex", "peak beyond what was resident before, median", number}};
-  for (const char* name : {"draw", "draw_low", "draw_high"}) {
-    columns.push_back({name, "s a vertex", "CPU time of drawing: median, 10 and 90 %", number, 4});
-  }
-  for (const char* name : {"store", "store_low", "store_high"}) {
-    columns.push_back({name, "s a vertex", "wall time of storing", number, 4});
-  }
-  for (const char* name : {"certify", "certify_low", "certify_high"}) {
-    columns.push_back({name, "s a vertex", "wall time of judging and measuring", number, 4});
-  }
-  Table& table =
-      make.start("judgements", "what a certificate and a level cost", std::move(columns));
+  Table& table = make.table("judgements");
   std::map<std::pair<std::string, std::int64_t>, std::set<std::string>> levels;
   std::set<std::string> modes = {"exact"};
   for (const auto& [key, costs] : judged) {
@@ -106,20 +85,6 @@ void add_judgements(TableMaker& make, const Judged& judged) {
   }
 }
 
-const std::vector<TableColumn> kRealColumns = {
-    {"row", "", "its row in /runs", integer},
-    {"curve", "", "its row in bounds", integer},
-    {"n", "vertices", "n that was asked for", integer},
-    {"vertices", "vertices", "vertices", integer},
-    {"miss", "degrees", "largest miss of an angle; missing: no number", number, 9},
-    {"condition", "", "what it is from a rounding's angle; missing: infinite", number, 9},
-    {"within_1e_12", "", "share of its angles within 1e-12 degrees", number, 9},
-    {"within_1e_9", "", "share of its angles within 1e-9 degrees", number, 9},
-    {"within_1e_6", "", "share of its angles within 1e-6 degrees", number, 9},
-    {"within_1e_3", "", "share of its angles within 1e-3 degrees", number, 9},
-    {"broken", "", "a crossing or a segment of length zero", flag},
-    {"cpu", "s", "CPU time of drawing in the metrics phase, beside other rows", number}};
-
 /// The drawings that were judged without tolerance: first repetitions of the metrics phase.
 class RealDrawings {
  public:
@@ -146,20 +111,15 @@ class RealDrawings {
     table_.add(std::move(cells));
   }
 
-  /// Adds the tables, and of the family with most drawings, which figures show, the graphs.
+  /// Adds, of the family with most drawings, which figures show, the graphs.
   void finish() {
-    make_.start("precision", "the drawings in real types, all in all",
-                {{"drawings", "", "drawings that were judged without tolerance", integer},
-                 {"left_out", "", "further rows", integer}});
     const auto most = std::ranges::max_element(
         rows_of_, {}, [](const auto& of_family) { return of_family.second.size(); });
-    if (most != rows_of_.end()) {
-      make_.tables.back().add({table_.size(), left_out_});
-      for (const auto& [key, place] : places_) {
-        if (family_label(key) == most->first) add_graphs(place, most->second);
-      }
+    if (most == rows_of_.end()) return;
+    make_.table("precision").add({table_.size(), left_out_});
+    for (const auto& [key, place] : places_) {
+      if (family_label(key) == most->first) add_graphs(place, most->second);
     }
-    make_.tables.push_back(std::move(table_));
   }
 
  private:
@@ -178,7 +138,7 @@ class RealDrawings {
   std::map<CurveKey, std::size_t> places_;
   std::map<std::string, std::vector<std::size_t>> rows_of_;  // by family, ascending
   std::size_t left_out_ = 0;
-  Table table_{"real_drawings", "a drawing that was judged without tolerance", kRealColumns};
+  Table& table_ = make_.table("real_drawings");
   const Column miss_ = run_column("angle_miss"), condition_ = run_column("condition"),
                collapsed_ = run_column("collapsed_segments"), crossings_ = run_column("crossings");
   const std::array<Column, 4> within_ = {run_column("within_1e_12"), run_column("within_1e_9"),

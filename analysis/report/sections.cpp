@@ -8,22 +8,12 @@
 namespace ar3d::report {
 namespace {
 
-/// The smallest slack over the axes; +infinity if there is none, so that it comes last.
-double closeness(const SectionCurve& curve) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const AxisBounds& axis : curve.bounds->axes) least = std::fmin(least, axis.worst_slack);
-  return least;
-}
-
 /// The curves closest to their bound, in the order of the file.
 void keep_closest(std::vector<SectionCurve>& curves) {
   if (curves.size() <= kMostFamilies) return;
-  std::stable_sort(curves.begin(), curves.end(), [](const SectionCurve& a, const SectionCurve& b) {
-    return closeness(a) < closeness(b);
-  });
+  std::ranges::stable_sort(curves, {}, &SectionCurve::least_slack);
   curves.resize(kMostFamilies);
-  std::sort(curves.begin(), curves.end(),
-            [](const SectionCurve& a, const SectionCurve& b) { return a.place < b.place; });
+  std::ranges::sort(curves, {}, &SectionCurve::place);
 }
 
 void name_families(std::vector<SectionCurve>& curves) {
@@ -34,11 +24,13 @@ void name_families(std::vector<SectionCurve>& curves) {
   }
 }
 
-double value_or_none(double log_value, double order, std::int64_t n) {
-  return std::exp(log_value - order * std::log(static_cast<double>(n)));
-}
-
 }  // namespace
+
+double SectionCurve::least_slack() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const AxisBounds& axis : bounds->axes) least = std::fmin(least, axis.worst_slack);
+  return least;
+}
 
 std::vector<Section> sections(const StudyAnalysis& analysis) {
   std::map<CurveKey, std::vector<const ScalingEntry*>> scaling_of;
@@ -116,36 +108,8 @@ void GraphList::add_row(std::size_t row) {
   rows_[row] = {curve, false, graph, run.status == RunStatus::ok ? "" : to_string(run.status)};
 }
 
-Table GraphList::table(const std::map<std::size_t, std::size_t>& drawings,
-                       const std::vector<Section>& sections) const {
-  using enum CellType;
-  Table table{"graphs",
-              "a graph that a table or a figure points at, drawn by one setting",
-              {{"row", "", "its row in /runs", integer},
-               {"curve", "", "its row in the table bounds", integer},
-               {"n", "vertices", "vertices", integer},
-               {"m", "edges", "edges", integer},
-               {"seed", "", "seed of its family"},
-               {"name", "", "of the graph in its file; missing if it has none"},
-               {"status", "", "of its row; missing if it was drawn"},
-               {"drawing", "", "place among the drawings that the page holds", integer},
-               {"is_point", "", "a point of the growth figures", flag},
-               {"side", "", "longest side over n to the order of its bound", number, 5},
-               {"volume", "", "volume over n to the order of its bound", number, 5},
-               {"time", "s", "drawing time over n; of the timing phase only", number, 5},
-               {"seconds", "s", "drawing time, median; of the timing phase only", number, 5}}};
-  static const std::array<std::array<const char*, 3>, 4> kNames = {
-      {{"x", "y", "z"},
-       {"own_x", "own_y", "own_z"},
-       {"theorem_x", "theorem_y", "theorem_z"},
-       {"published_x", "published_y", "published_z"}}};
-  constexpr const char* kMeaning[] = {"extent of the box", "the proof's bound for this very graph",
-                                      "the theorem's bound for n", "the published bound for n"};
-  for (std::size_t box = 0; box < 4; ++box) {
-    for (const char* name : kNames[box]) {
-      table.columns.push_back({name, "lattice units", kMeaning[box], number});
-    }
-  }
+void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
+                     const std::vector<Section>& sections, Table& table) const {
   std::map<std::size_t, const Section*> section_of;
   for (const Section& section : sections) {
     for (const SectionCurve& curve : section.curves) section_of[curve.place] = &section;
@@ -158,8 +122,9 @@ Table GraphList::table(const std::map<std::size_t, std::size_t>& drawings,
     const auto section = section_of.find(noted.curve);
     const auto over = [&](Quantity quantity) {
       if (section == section_of.end() || !noted.status.empty() || !noted.is_point) return kMissing;
-      const double log = log_value(graph, quantity, timed);
-      return value_or_none(log, order_of(*section->second, quantity), graph.n);
+      const double log_n = std::log(static_cast<double>(graph.n));
+      return std::exp(log_value(graph, quantity, timed) -
+                      order_of(*section->second, quantity) * log_n);
     };
     const auto optional = [](const std::string& text) {
       return text.empty() ? TableCell() : TableCell(text);
@@ -186,11 +151,6 @@ Table GraphList::table(const std::map<std::size_t, std::size_t>& drawings,
     }
     table.add(std::move(cells));
   }
-  return table;
-}
-
-Table& TableMaker::start(std::string name, std::string row_is, std::vector<TableColumn> columns) {
-  return tables.emplace_back(Table{std::move(name), std::move(row_is), std::move(columns)});
 }
 
 double order_of(const Section& section, Quantity quantity) {

@@ -28,6 +28,8 @@ struct SectionCurve {
   const ScalingEntry* growth(Quantity quantity) const {
     return scaling[static_cast<std::size_t>(quantity)];
   }
+  /// Returns the smallest slack over the axes; +infinity if there is none, so that it comes last.
+  double least_slack() const;
 };
 
 /// Describes one setting: an algorithm with its options, and its families in the order of the file.
@@ -68,9 +70,9 @@ class GraphList {
   void add(std::size_t curve, const CensoredRow& row);
   /// The same of any row of the study; nothing if its curve is in no table.
   void add_row(std::size_t row);
-  /// @param drawings  which drawing of the viewer's page shows a row.
-  Table table(const std::map<std::size_t, std::size_t>& drawings,
-              const std::vector<Section>& sections) const;
+  /// Fills the table `graphs`. @param drawings  which drawing of the viewer's page shows a row.
+  void fill(const std::map<std::size_t, std::size_t>& drawings,
+            const std::vector<Section>& sections, Table& table) const;
 
  private:
   struct Noted {
@@ -89,73 +91,24 @@ struct TableMaker {
   const std::vector<Section>& sections;
   bool all = true;  ///< false: what the page shows
   GraphList graphs;
-  std::vector<Table> tables = {};
+  std::vector<Table> tables = empty_tables("report");
 
-  Table& start(std::string name, std::string row_is, std::vector<TableColumn> columns);
+  Table& table(std::string_view name) { return table_named(name, tables); }
 };
 
-// Each adds its tables; they are empty where the study has nothing to tell.
+// Each fills its tables; they stay empty where the study has nothing to tell.
 void add_verdict(TableMaker& make);      // study, verdict, findings, settings, exponents, promises
 void add_background(TableMaker& make);   // since…, metrics, environment, scaling
 void add_families(TableMaker& make);     // bounds, growth, shares, bends
 void add_curves(TableMaker& make);       // curves, bands, volume_bands, points among the graphs
 void add_trade(TableMaker& make);        // groups, trade, crossings, efforts
 void add_collections(TableMaker& make);  // collections, profile, pairs, bins, group_medians
-void add_precision(TableMaker& make);    // misses, onsets, …, judgements
+void add_precision(TableMaker& make);    // precision, real_drawings, judgements
 
-Table bounds_table_of(const StudyAnalysis& analysis, const std::vector<Section>& sections);
-Table growth_table_of(const StudyAnalysis& analysis, const std::vector<Section>& sections);
+void fill_bounds(const StudyAnalysis& analysis, const std::vector<Section>& sections, Table& table);
+void fill_growth(const StudyAnalysis& analysis, const std::vector<Section>& sections, Table& table);
 /// Returns the rows of the graphs that the pairs of volumes of collections name.
 std::vector<std::size_t> collection_outliers(const std::vector<Section>& sections);
-
-/// Volume and drawing time: decimal logarithms, medians. Times are those of the timing phase.
-struct Median {
-  double volume = kMissing;           ///< lattice points of the box
-  double relative_volume = kMissing;  ///< in cubes of the smallest distance of vertices
-  double time = kMissing;
-};
-
-/// Holds what one setting did on every family but collections at every requested n: medians over
-/// graphs. Sizes with an unfinished graph are left out.
-struct ComparedSetting {
-  const Section* section = nullptr;
-  std::string label;
-  std::string algorithm;
-  std::size_t place = 0;  ///< in the sections
-  std::size_t bends = 0;  ///< largest number of bends per edge
-  std::map<std::int64_t, std::map<std::string, Median>> sizes;
-};
-std::vector<ComparedSetting> settings_of(const std::vector<Section>& sections);
-
-/// Describes settings that can be compared, and the families that all of them drew.
-struct SettingGroup {
-  std::vector<const ComparedSetting*> settings;
-  std::set<std::string> families;
-  /// Is true if some setting has a unit of its own, so that all volumes are over the smallest
-  /// distance of vertices.
-  bool is_relative = false;
-
-  /// Returns the settings with this n, and those of the families that all of these drew there.
-  SettingGroup at(std::int64_t n) const;
-  std::vector<std::int64_t> sizes() const;
-};
-
-/// Returns at most four groups of at least two settings, none of which could have another setting
-/// without losing families; most algorithms first, then most settings.
-std::vector<SettingGroup> groups_of(const std::vector<ComparedSetting>& settings);
-
-/// Returns the median of a setting's medians over the group's families at an n that it has;
-/// `volume` is the relative one if the group's are.
-Median over(const ComparedSetting& setting, std::int64_t n, const SettingGroup& group);
-
-/// Describes a graph that two settings drew: log10 of its requested n, and of the one's volume over
-/// the other's.
-struct PairedGraph {
-  double log_n = 0, log_ratio = 0;
-};
-/// Returns the graphs of the group's families that both drew and the tally keeps.
-std::vector<PairedGraph> paired_graphs(const ComparedSetting& one, const ComparedSetting& other,
-                                       const SettingGroup& group);
 
 double log10_of(std::int64_t n);
 /// Returns the decimal logarithm of a natural one.

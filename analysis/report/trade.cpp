@@ -1,18 +1,169 @@
-// What settings trade: volume and time at every n, where one algorithm begins to need less volume
-// than another, and what effort buys.
+// What settings trade: which of them can be compared, on which families; volume and time at every
+// n, where one algorithm begins to need less volume than another, and what effort buys.
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "ar3d/analysis/report/sections.h"
+#include "ar3d/analysis/statistics.h"
 
 namespace ar3d::report {
 namespace {
 
-using enum CellType;
-
+constexpr std::size_t kMostGroups = 4;
 constexpr std::size_t kFewestGraphs = 8;  // on either side of a crossing
+
+/// Decimal logarithms of volume and drawing time, medians; times are those of the timing phase.
+struct Median {
+  double volume = kMissing;           ///< lattice points of the box
+  double relative_volume = kMissing;  ///< in cubes of the smallest distance of vertices
+  double time = kMissing;
+};
+
+/// What one setting did on every family but collections at every requested n: medians over graphs.
+/// Sizes with an unfinished graph are left out.
+struct ComparedSetting {
+  const Section* section = nullptr;
+  std::size_t place = 0;  ///< in the sections
+  std::size_t bends = 0;  ///< largest number of bends per edge
+  std::map<std::int64_t, std::map<std::string, Median>> sizes;
+};
+
+/// Settings that can be compared, and the families that all of them drew.
+struct SettingGroup {
+  std::vector<const ComparedSetting*> settings;
+  std::set<std::string> families;
+  /// Some setting has a unit of its own, so that all volumes are over the smallest distance of
+  /// vertices.
+  bool is_relative = false;
+
+  /// The settings with this n, and those of the families that all of these drew there.
+  SettingGroup at(std::int64_t n) const {
+    SettingGroup there{{}, families, is_relative};
+    for (const ComparedSetting* setting : settings) {
+      const auto size = setting->sizes.find(n);
+      if (size == setting->sizes.end()) continue;
+      there.settings.push_back(setting);
+      std::erase_if(there.families,
+                    [&](const std::string& family) { return !size->second.contains(family); });
+    }
+    return there;
+  }
+
+  std::set<std::int64_t> sizes() const {
+    std::set<std::int64_t> all;
+    for (const ComparedSetting* setting : settings) {
+      for (const auto& [n, medians] : setting->sizes) all.insert(n);
+    }
+    return all;
+  }
+
+  /// The median of a setting's medians over the families at an n that it has; `volume` is the
+  /// relative one if the group's are.
+  Median over(const ComparedSetting& setting, std::int64_t n) const {
+    std::vector<double> volumes, times;
+    for (const auto& [family, medians] : setting.sizes.at(n)) {
+      if (!families.contains(family)) continue;
+      volumes.push_back(is_relative ? medians.relative_volume : medians.volume);
+      times.push_back(medians.time);
+    }
+    return {median(std::move(volumes)), kMissing, median(std::move(times))};
+  }
+};
+
+double median_of(const SizeTally& size, Quantity quantity) {
+  std::vector<double> logs;
+  for (const DrawnGraph& graph : size.graphs) logs.push_back(log_value(graph, quantity, true));
+  return decimal(median(std::move(logs)));
+}
+
+double log10_volume(const DrawnGraph& graph, bool is_relative) {
+  return (is_relative ? graph.log2_relative_volume : graph.log2_volume) * std::log10(2);
+}
+
+double median_relative_volume(const SizeTally& size) {
+  std::vector<double> logs;
+  for (const DrawnGraph& graph : size.graphs) {
+    if (std::isfinite(graph.log2_relative_volume)) logs.push_back(log10_volume(graph, true));
+  }
+  return median(std::move(logs));
+}
+
+std::vector<ComparedSetting> settings_of(const std::vector<Section>& sections) {
+  std::vector<ComparedSetting> settings;
+  for (const Section& section : sections) {
+    ComparedSetting& setting = settings.emplace_back();
+    setting.section = &section;
+    setting.place = settings.size() - 1;
+    for (const SectionCurve& curve : section.curves) {
+      if (curve.is_collection) continue;  // compared graph by graph
+      for (std::size_t b = 0; b < curve.tally->bends.size(); ++b) {
+        if (curve.tally->bends[b] > 0) setting.bends = std::max(setting.bends, b);
+      }
+      for (const auto& [n, size] : curve.tally->sizes) {
+        if (size.drawn == 0 || size.censored || size.requested_n < 1) continue;
+        const double time =
+            curve.tally->has_timing_rows ? median_of(size, Quantity::wall_s) : kMissing;
+        const Median medians{median_of(size, Quantity::volume), median_relative_volume(size), time};
+        if (!std::isnan(medians.volume)) setting.sizes[size.requested_n][curve.family] = medians;
+      }
+    }
+  }
+  return settings;
+}
+
+/// At most kMostGroups groups of at least two settings, none of which could have another setting
+/// without losing families; most algorithms first, then most settings.
+std::vector<SettingGroup> groups_of(const std::vector<ComparedSetting>& settings) {
+  using SettingSet = std::set<const ComparedSetting*>;
+  std::map<std::string, SettingSet> drawn_by;  // by family
+  for (const ComparedSetting& setting : settings) {
+    for (const auto& [n, families] : setting.sizes) {
+      for (const auto& [family, medians] : families) drawn_by[family].insert(&setting);
+    }
+  }
+  std::map<SettingSet, std::set<std::string>> families_of;
+  for (const auto& [family, by] : drawn_by) families_of[by].insert(family);
+  std::vector<SettingGroup> groups;
+  for (const auto& [one, own] : families_of) {
+    const bool is_largest = std::ranges::none_of(families_of, [&one = one](const auto& other) {
+      return other.first != one && std::ranges::includes(other.first, one);
+    });
+    if (!is_largest || one.size() < 2) continue;
+    const bool is_relative = std::ranges::any_of(
+        one, [](const ComparedSetting* setting) { return setting->section->has_own_unit; });
+    groups.push_back({{one.begin(), one.end()}, own, is_relative});
+  }
+  std::ranges::stable_sort(groups, std::greater(), [](const SettingGroup& group) {
+    std::set<std::string> algorithms;
+    for (const ComparedSetting* setting : group.settings) {
+      algorithms.insert(setting->section->algorithm);
+    }
+    return std::tuple(algorithms.size(), group.settings.size(), group.families.size());
+  });
+  if (groups.size() > kMostGroups) groups.resize(kMostGroups);
+  return groups;
+}
+
+/// Volumes by family, requested n, seed and index, which make two rows rows of one graph.
+using GraphVolumes =
+    std::map<std::tuple<std::string, std::int64_t, std::uint64_t, std::int64_t>, double>;
+
+GraphVolumes volumes_of(const ComparedSetting& setting, const SettingGroup& group) {
+  GraphVolumes volumes;
+  for (const SectionCurve& curve : setting.section->curves) {
+    if (!group.families.contains(curve.family)) continue;
+    for (const auto& [n, size] : curve.tally->sizes) {
+      for (const DrawnGraph& graph : size.graphs) {
+        volumes.try_emplace({curve.family, size.requested_n, graph.seed, graph.instance},
+                            log10_volume(graph, group.is_relative));
+      }
+    }
+  }
+  return volumes;
+}
 
 /// One setting at one n of a group.
 struct TradePoint {
@@ -28,7 +179,7 @@ std::vector<TradeLine> trade_lines(const SettingGroup& group) {
     if (there.families.empty()) continue;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (!group.settings[i]->sizes.contains(n)) continue;
-      const Median medians = over(*group.settings[i], n, there);
+      const Median medians = there.over(*group.settings[i], n);
       if (!std::isnan(medians.volume)) {
         lines[i].push_back({log10_of(n), medians.volume, medians.time});
       }
@@ -48,11 +199,13 @@ struct Crossing {
 /// those beyond it with less volume, and most of the others without.
 bool is_borne_out(const SettingGroup& group, Crossing& crossing) {
   std::size_t before = 0, smaller_before = 0;
-  for (const PairedGraph& graph :
-       paired_graphs(*group.settings[crossing.below], *group.settings[crossing.above], group)) {
-    const bool is_beyond = graph.log_n > crossing.log_n;
+  const GraphVolumes above = volumes_of(*group.settings[crossing.above], group);
+  for (const auto& [graph, volume] : volumes_of(*group.settings[crossing.below], group)) {
+    const auto other = above.find(graph);
+    if (other == above.end() || std::isnan(volume - other->second)) continue;
+    const bool is_beyond = log10_of(std::get<1>(graph)) > crossing.log_n;
     ++(is_beyond ? crossing.graphs : before);
-    (is_beyond ? crossing.smaller : smaller_before) += graph.log_ratio < 0;
+    (is_beyond ? crossing.smaller : smaller_before) += volume < other->second;
   }
   return std::min(before, crossing.graphs) >= kFewestGraphs &&
          10 * crossing.smaller >= 9 * crossing.graphs && 2 * smaller_before < before;
@@ -85,7 +238,8 @@ std::vector<Crossing> crossings_of(const SettingGroup& group, const std::vector<
   std::vector<Crossing> crossings;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (group.settings[i]->algorithm == group.settings[j]->algorithm) continue;
+      const auto& algorithm = group.settings[i]->section->algorithm;
+      if (algorithm == group.settings[j]->section->algorithm) continue;
       add_crossing(lines, i, j, crossings);
     }
   }
@@ -98,12 +252,7 @@ std::vector<Crossing> crossings_of(const SettingGroup& group, const std::vector<
 double least_order(const std::vector<Section>& sections) {
   double least = 3;
   for (const Section& section : sections) {
-    if (!section.theorem) continue;
-    double order = 0;
-    for (const AxisBound& axis : section.theorem->axes) {
-      order += axis.numerator == 0 ? 0 : axis.half_power / 2.0;
-    }
-    least = std::min(least, order);
+    if (section.theorem) least = std::min(least, order_of(section, Quantity::volume));
   }
   return least;
 }
@@ -122,32 +271,10 @@ bool is_on_front(const std::vector<TradeLine>& lines, const TradePoint& point) {
 }
 
 struct TradeTables {
-  Table groups{"groups",
-               "settings that can be compared, with the families that all of them drew",
-               {{"settings", "", "settings", integer},
-                {"families", "", "families", integer},
-                {"family", "", "the family, if it is one"},
-                {"unit", "", "of volumes"},
-                {"order", "", "figures divide volumes by n to this", number}}};
-  Table trade{"trade",
-              "a group, n and a setting: medians over graphs, then over families",
-              {{"group", "", "its row in groups", integer},
-               {"n", "vertices", "n that was asked for", integer},
-               {"setting", "", "its row in settings", integer},
-               {"volume", "", "in the group's unit", number},
-               {"over", "", "the same over n to the group's order", number},
-               {"time", "s", "drawing time; of the timing phase only", number, 4},
-               {"bends", "", "largest number of bends of an edge", integer},
-               {"front", "", "no other setting is smaller and faster", flag}}};
-  Table crossings{"crossings",
-                  "two settings: from which n on one needs less volume",
-                  {{"group", "", "its row in groups", integer},
-                   {"below", "", "the one that needs less, its row in settings", integer},
-                   {"above", "", "the other one", integer},
-                   {"n", "vertices", "from about here on", integer},
-                   {"over", "", "the volume there over n to the group's order", number},
-                   {"graphs", "", "graphs beyond it that both drew", integer},
-                   {"smaller", "", "of them with less volume", integer}}};
+  TableMaker& make;
+  Table& groups = make.table("groups");
+  Table& trade = make.table("trade");
+  Table& crossings = make.table("crossings");
 
   void add(const SettingGroup& group, double order) {
     const std::vector<TradeLine> lines = trade_lines(group);
@@ -181,22 +308,23 @@ struct TradeTables {
 void add_efforts(const std::vector<ComparedSetting>& settings, Table& table) {
   std::map<std::string, SettingGroup> efforts;
   for (const ComparedSetting& setting : settings) {
-    const bool is_level = setting.label.find("level=") != std::string::npos;
-    if (is_level || setting.label.find("effort=") == std::string::npos) continue;
-    SettingGroup& group = efforts[setting.algorithm];
+    const std::string& label = setting.section->label;
+    const bool is_level = label.find("level=") != std::string::npos;
+    if (is_level || label.find("effort=") == std::string::npos) continue;
+    SettingGroup& group = efforts[setting.section->algorithm];
     group.settings.push_back(&setting);
     for (const auto& [n, families] : setting.sizes) {
       for (const auto& [family, medians] : families) group.families.insert(family);
     }
   }
   for (const auto& [algorithm, group] : efforts) {
-    const std::vector<std::int64_t> sizes = group.sizes();
+    const std::set<std::int64_t> sizes = group.sizes();
     for (auto n = sizes.rbegin(); n != sizes.rend(); ++n) {
       const SettingGroup there = group.at(*n);
       if (there.settings.size() < 2 || there.families.empty()) continue;
-      const Median first = over(*there.settings.front(), *n, there);
+      const Median first = there.over(*there.settings.front(), *n);
       for (const ComparedSetting* setting : there.settings) {
-        const Median own = over(*setting, *n, there);
+        const Median own = there.over(*setting, *n);
         table.add({setting->place, algorithm, *n, std::pow(10, own.time - first.time),
                    std::pow(10, own.volume - first.volume)});
       }
@@ -209,19 +337,11 @@ void add_efforts(const std::vector<ComparedSetting>& settings, Table& table) {
 
 void add_trade(TableMaker& make) {
   const std::vector<ComparedSetting> settings = settings_of(make.sections);
-  TradeTables tables;
-  for (const SettingGroup& group : groups_of(settings))
+  TradeTables tables{make};
+  for (const SettingGroup& group : groups_of(settings)) {
     tables.add(group, least_order(make.sections));
-  for (Table* table : {&tables.groups, &tables.trade, &tables.crossings}) {
-    make.tables.push_back(std::move(*table));
   }
-  add_efforts(settings,
-              make.start("efforts", "a setting beside its algorithm's first effort",
-                         {{"setting", "", "its row in settings", integer},
-                          {"algorithm", "", "the algorithm"},
-                          {"n", "vertices", "the largest n of two efforts", integer},
-                          {"time", "", "times its time; of the timing phase only", number, 4},
-                          {"volume", "", "times its volume", number, 4}}));
+  add_efforts(settings, make.table("efforts"));
 }
 
 }  // namespace ar3d::report

@@ -170,12 +170,6 @@ Interval robust_interval(const LinearFit& fit, std::size_t coefficient, double c
   return {fit.coefficients[coefficient] - half, fit.coefficients[coefficient] + half};
 }
 
-double CurveFit::log_value(double n) const {
-  const double log_n = std::log(n);
-  const double log_part = log_exponent == 0 ? 0 : log_exponent * std::log(log_n);
-  return log_factor + exponent * log_n + log_part;
-}
-
 double CurveFit::typical_residual(std::size_t sizes) const {
   return std::sqrt(square_sum / static_cast<double>(sizes));
 }

@@ -2,8 +2,7 @@
 // that ended early is left out, because only its fast graphs are there.
 #include "ar3d/analysis/scaling/samples.h"
 
-#include <fmt/format.h>
-
+#include <functional>
 #include <iterator>
 
 #include "ar3d/analysis/statistics.h"
@@ -75,29 +74,17 @@ std::vector<SizeSample> samples(const CurveTally& curve, Quantity quantity) {
   return sizes;
 }
 
-FitSizes choose_sizes(const std::vector<SizeSample>& all, std::size_t minimum_sizes) {
-  FitSizes chosen;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(chosen.used),
-               [](const SizeSample& size) { return !size.censored; });
-  if (chosen.used.size() < all.size()) {
-    chosen.left_out.push_back(
-        fmt::format("{} with unfinished instances (the finished ones are the fast ones)",
-                    all.size() - chosen.used.size()));
+std::vector<SizeSample> choose_sizes(const std::vector<SizeSample>& all,
+                                     std::size_t minimum_sizes) {
+  std::vector<SizeSample> used;
+  std::ranges::copy_if(all, std::back_inserter(used), std::logical_not(), &SizeSample::censored);
+  auto first = used.begin();
+  while (used.end() - first > static_cast<std::ptrdiff_t>(minimum_sizes) &&
+         static_cast<double>(first->n) < std::sqrt(static_cast<double>(used.back().n))) {
+    ++first;
   }
-  const std::size_t whole = chosen.used.size();
-  std::size_t small = 0;
-  while (whole - small > minimum_sizes &&
-         static_cast<double>(chosen.used[small].n) <
-             std::sqrt(static_cast<double>(chosen.used.back().n))) {
-    ++small;
-  }
-  if (small > 0) {
-    chosen.left_out.push_back(fmt::format(
-        "{} below n = {} (less than the square root of the largest)", small, chosen.used[small].n));
-    chosen.used.erase(chosen.used.begin(),
-                      chosen.used.begin() + static_cast<std::ptrdiff_t>(small));
-  }
-  return chosen;
+  used.erase(used.begin(), first);
+  return used;
 }
 
 }  // namespace ar3d

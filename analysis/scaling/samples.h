@@ -43,14 +43,8 @@ struct SizeSample {
 /// are those of the timing phase if the curve has such rows, else of the metrics phase (for plots).
 std::vector<SizeSample> samples(const CurveTally& curve, Quantity quantity);
 
-/// Holds which sizes a fit uses, and what is left out and why (one clause each, for the report).
-struct FitSizes {
-  std::vector<SizeSample> used;
-  std::vector<std::string> left_out;
-};
-
-/// Applies the stated rule: sizes with censored instances are left out; then sizes below the square
-/// root of the largest one, as long as `minimum_sizes` stay.
-FitSizes choose_sizes(const std::vector<SizeSample>& all, std::size_t minimum_sizes);
+/// Returns the sizes that a fit uses: those without censored instances, and of them those of at least
+/// the square root of the largest one, but so many that `minimum_sizes` stay.
+std::vector<SizeSample> choose_sizes(const std::vector<SizeSample>& all, std::size_t minimum_sizes);
 
 }  // namespace ar3d

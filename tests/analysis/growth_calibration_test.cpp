@@ -148,7 +148,7 @@ Score score(const Scenario& scenario, std::size_t sizes, std::size_t graphs, int
     score.undecided += entry.growth == Growth::undecided;
     if (!entry.decided) continue;
     score.covered +=
-        entry.power.exponent_interval.contains(projected_exponent(scenario, entry.sizes.used));
+        entry.power.exponent_interval.contains(projected_exponent(scenario, entry.used));
     score.width += entry.power.exponent_interval.width();
     score.power += entry.growth == Growth::power;
     score.with_log += entry.growth == Growth::power_and_log;

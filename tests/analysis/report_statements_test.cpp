@@ -49,6 +49,8 @@ TEST(Report, PrintedCommandsNameTheFile) {
   EXPECT_EQ(analysis.verdict.findings.at(0).command, "ar3d replay 'out/my runs.h5' 1");
   EXPECT_EQ(rows_by_table(report_tables(analysis, {}, {}, false))["study"][0]["file"],
             "out/my runs.h5");
+  results.runs[1].row_key = "00ff";
+  EXPECT_EQ(check(results).findings.at(0).command, "ar3d replay RESULTS.h5 00ff");
 }
 
 /// `peer` draws beside `grid` with a box of 2^10 of its own units: 2^6 of vertex distances.
@@ -132,9 +134,7 @@ TEST(Bins, OfSizesAreEvenOnALogarithmicScale) {
 TEST(Tables, CellsAsJsonAndCsv) {
   const Table table{"t",
                     "r",
-                    {{"a", "", "m"},
-                     {"b", "", "m", CellType::number, 3},
-                     {"c", "", "m", CellType::flag, 0, false}},
+                    {{"a", "text"}, {"b", "number", "", "m", 3}, {"c", "flag", "", "m", 0, false}},
                     {"x\"</script>\xff,", 1.23456, true, {}, kMissing, false}};
   EXPECT_THAT(tables_json({table}),
               HasSubstr("[\"x\\\"\\u003c/script\\u003e\\ufffd,\",1.23,true],\n[null,null,false]"));

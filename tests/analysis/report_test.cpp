@@ -74,7 +74,7 @@ TEST(Report, EveryTableSaysWhatItsColumnsAre) {
     std::set<std::string> columns;
     for (const TableColumn& column : table.columns) {
       EXPECT_TRUE(columns.insert(column.name).second) << table.name << ' ' << column.name;
-      EXPECT_STRNE(column.meaning, "") << table.name << ' ' << column.name;
+      EXPECT_NE(column.meaning, "") << table.name << ' ' << column.name;
     }
   }
   for (const char* name : {"verdict", "findings", "settings", "promises", "bounds", "growth",
