@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "ar3d/algorithms/grid/labels.h"
@@ -71,7 +70,7 @@ struct StepCounts {
 };
 
 /// Plane numbers, all labels, slots.
-/// Invariant: (I1)-(I5) of docs/theorem3.md within every component, which broken_invariant() tests.
+/// Invariant: (I1)-(I5) of docs/theorem3.md within every component.
 struct Planes {
   std::vector<PlaneNumbers> of;
   EdgeLabels labels;
@@ -100,10 +99,5 @@ inline constexpr std::int64_t proved_plane_bound(std::int64_t n) { return 150 * 
 /// of a component and keeps its routes. Cost: O(n + m + k log k) for k > 1 components, O(1) for
 /// one.
 void pack_components(const Graph& graph, const ProcessingOrder& order, Planes& planes);
-
-/// Tests (I1)-(I5) of docs/theorem3.md, from which the proof concludes that the drawing has no
-/// crossing.
-/// @return "" or the first broken rule with the edge or vertex that breaks it. Cost: O(n log n).
-std::string broken_invariant(const Graph& graph, const Planes& planes);
 
 }  // namespace ar3d::grid

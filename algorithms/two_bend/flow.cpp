@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
@@ -247,7 +246,6 @@ LongVector<std::uint8_t> find_roles(const View& view) {
 
 Flow build_flow(const LocalGraph& graph, const BlockTree& blocks, const TimeOrder& order) {
   Flow flow = FlowBuilder(graph, order).build(blocks);
-  expect_heavy([&] { return arms_are_not_parallel(flow); }, "no two AA edges are parallel");
   for (LongVector<NodeType>& types : flow.types) types.reserve(flow.nodes.size());
   for (const Node& node : flow.nodes) {
     flow.types[0].push_back(node.type);

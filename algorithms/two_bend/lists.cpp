@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "ar3d/algorithms/two_bend/owner_order.h"
-#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 namespace {
@@ -231,14 +230,6 @@ Lists build_lists(Flow& flow, bool share, const TreeWeights& weights) {
     separate_rows(flow, columns_first, list_places(View(flow, !columns_first), second), first);
   }
   if (columns_first) std::swap(first, second);
-  expect_heavy(
-      [&] {
-        const View rows(flow, false);
-        const View columns(flow, true);
-        return shared_rows_are_plane(rows, list_places(columns, second)) &&
-               shared_rows_are_plane(columns, list_places(rows, first));
-      },
-      "arms in a shared row or column do not meet");
   return {std::move(first), std::move(second)};
 }
 

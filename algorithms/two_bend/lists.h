@@ -70,7 +70,7 @@ LongVector<NodeId> build_view_list(Flow& flow, bool columns,
 void choose_outer_specials(Flow& flow, bool columns_are_second,
                            const LongVector<NodeId>& first_list);
 
-/// True if the condition of share_rows holds in every row of the view (for expect_heavy and tests).
+/// True if the condition of share_rows holds in every row of the view (tests).
 bool shared_rows_are_plane(const View& view, const Values& cross);
 
 }  // namespace ar3d::two_bend

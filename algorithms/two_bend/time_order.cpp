@@ -15,6 +15,7 @@ StOrder::StOrder(const LocalGraph& graph, const BlockTree& blocks)
     : graph_(graph), blocks_(blocks), seen_(graph.size(), false), number_(graph.size()) {
   visited_.reserve(graph.size());
   numbered_.reserve(graph.size());
+  turns_.reserve(graph.size());
 }
 
 const LongVector<Vertex>& StOrder::order(Vertex s, Vertex t) {
@@ -77,21 +78,22 @@ void StOrder::place_in_preorder() {
   list_.resize(visited_.size());
   list_[0] = visited_[0];
   plus_.assign(numbered_.size(), false);
-  numbered_[1].begin = 1;
-  numbered_[1].end = static_cast<std::uint32_t>(numbered_.size());
+  numbered_[1].low = 1;
+  numbered_[1].size = static_cast<std::uint32_t>(numbered_.size());
   for (Vertex i = 2; i < numbered_.size(); ++i) {
     Numbered& here = numbered_[i];
-    Numbered& parent = numbered_[here.parent];
+    auto& [above, begin, end] = numbered_[here.parent];
     const bool before = !plus_[here.low];
     expect(before || here.parent != 1, "nothing is inserted behind t");
     plus_[here.parent] = before;
-    here.begin = before ? parent.begin : parent.end - here.size;
-    here.end = here.begin + here.size;
-    (before ? parent.begin : parent.end) = before ? here.end : here.begin;
+    here.low = before ? begin : end - here.size;
+    here.size += here.low;
+    (before ? begin : end) = before ? here.size : here.low;
   }
   for (Vertex i = 1; i < numbered_.size(); ++i) {
-    expect(numbered_[i].begin + 1 == numbered_[i].end, "a vertex has one place");
-    list_[numbered_[i].begin] = visited_[i];
+    const auto [parent, begin, end] = numbered_[i];
+    expect(begin + 1 == end, "a vertex has one place");
+    list_[begin] = visited_[i];
   }
 }
 
@@ -147,7 +149,9 @@ std::optional<LongVector<Vertex>> list_with_both_ends(const LocalGraph& graph, S
 /// Vertices in breadth-first order from `start`.
 LongVector<Vertex> breadth_first(const LocalGraph& graph, Vertex start) {
   std::vector<bool> seen(graph.size(), false);
-  LongVector<Vertex> queue{start};
+  LongVector<Vertex> queue;
+  queue.reserve(graph.size());
+  queue.push_back(start);
   seen[start] = true;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     if (i + kAhead < queue.size()) ask_for(graph.neighbours, queue[i + kAhead]);

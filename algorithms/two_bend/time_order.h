@@ -22,10 +22,8 @@ class StOrder {
   /// Holds what is known of the vertex with a number; all names in it are numbers.
   struct Numbered {
     Vertex parent = 0;
-    Vertex low = 0;
-    std::uint32_t size = 1;   // of its subtree, which fills consecutive places of the list
-    std::uint32_t begin = 0;  // of its places that no child has taken
-    std::uint32_t end = 0;
+    Vertex low = 0;          // later where its places that no child has taken begin
+    std::uint32_t size = 1;  // of its subtree, in consecutive places of the list; later their end
   };
   void search(Vertex s, Vertex t);
   void visit(Vertex v, Vertex parent);

@@ -5,13 +5,11 @@
 // O(n) but for greatest common divisors.
 #include "ar3d/algorithms/two_bend/two_bend.h"
 
-#include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/layout.h"
 #include "ar3d/algorithms/two_bend/lists.h"
 #include "ar3d/algorithms/two_bend/slab.h"
 #include "ar3d/algorithms/two_bend/time_order.h"
-#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 namespace {
@@ -116,12 +114,6 @@ struct Attempt {
 };
 
 Attempt draw_layout(Flow flow, Layout layout) {
-  expect_heavy([&] { return merges_keep_distances(View(flow, false), layout.rows); },
-               "MERGEs keep their distances in the rows");
-  expect_heavy([&] { return merges_keep_distances(View(flow, true), layout.columns); },
-               "SPLITs keep their distances in the columns");
-  expect_heavy([&] { return rays_differ(flow, layout); }, "active rays stand at different places");
-  expect_heavy([&] { return vv_leans_are_primitive(flow, layout); }, "VV leans are primitive");
   flow.forget_lists();
   Slabs slabs = draw_slabs(flow, layout);
   return {std::move(flow), std::move(layout), std::move(slabs)};
@@ -199,8 +191,6 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output,
   }
   const LongVector<QBody> bodies = cut_q_bodies(graph, blocks);
   const TimeOrder order = find_time_order(graph, blocks);
-  expect_heavy([&] { return is_time_order(graph, order); },
-               "sources and sinks of the time order have the neighbours they need");
   const Attempt found =
       find_attempt([&] { return build_flow(graph, blocks, order); }, options,
                    [&](const Attempt& attempt) {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/grid_invariant.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/grid/order.h"
 #include "ar3d/algorithms/grid/planes.h"

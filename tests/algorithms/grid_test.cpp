@@ -100,6 +100,17 @@ TEST(Grid, InvariantHolds) {
   }
 }
 
+TEST(Grid, InvariantHoldsOnFamiliesAndSmallGraphs) {
+  std::vector<Graph> graphs = geng("-D3 7");
+  for (const Family& family : families()) {
+    if (family.max_degree <= 3) graphs.push_back(shuffled(generate(family, 1000, 2), 3));
+  }
+  for (const Graph& graph : graphs) {
+    EXPECT_EQ(grid::broken_invariant(graph, core_planes(graph)), "");
+    EXPECT_EQ(grid::broken_invariant(graph, planes_of(graph, {})), "");
+  }
+}
+
 TEST(Grid, InvariantHoldsForFlatNumbersWithManyDefects) {
   std::int64_t defects = 0;
   for (const char* family :

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "algorithms/two_bend_checks.h"
 #include "algorithms/two_bend_graphs.h"
-#include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/layout.h"
 #include "ar3d/algorithms/two_bend/leans.h"
 #include "ar3d/algorithms/two_bend/lists.h"
 #include "ar3d/algorithms/two_bend/time_order.h"
+#include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
 
 namespace ar3d::two_bend {
@@ -115,25 +116,6 @@ TEST(TwoBendOrder, StOrderHasNoInnerSourceOrSink) {
   }
 }
 
-/// The invariant of TimeOrder, on components that are neither fixed bodies nor single vertices.
-TEST(TwoBendOrder, TimeOrderKeepsItsInvariant) {
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
-    for (LocalGraph graph :
-         components_of(testing::shuffled(testing::random_graph_of_any_kind(24, seed), seed))) {
-      if (graph.size() <= 6) continue;
-      BlockTree blocks = find_blocks(graph);
-      const LongVector<QBody> bodies = cut_q_bodies(graph, blocks);
-      const TimeOrder order = find_time_order(graph, blocks);
-      EXPECT_EQ(order.list.size() + 4 * bodies.size(), graph.size());
-      const Flow flow =
-          build_flow(graph, blocks, order);  // throws if a pole lacks its two neighbours
-      const auto roots = std::count_if(flow.nodes.begin(), flow.nodes.end(),
-                                       [](const Node& v) { return v.ins == 0; });
-      EXPECT_EQ(roots, 1);
-    }
-  }
-}
-
 TEST(TwoBendOrder, RepairGivesAnyEndOfACubicBlockTwoClosingNeighbours) {
   for (const int n : {10, 12}) {
     for (const Graph& input : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
@@ -179,30 +161,64 @@ TEST(TwoBendList, EntryListAgreesWithAVector) {
   EXPECT_EQ(list.in_order(), oracle);
 }
 
-TEST(TwoBendList, BothListsPutEveryMergeBetweenItsNeighbours) {
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
-    for (LocalGraph graph : components_of(testing::random_graph_of_any_kind(30, seed))) {
-      if (graph.size() <= 6) continue;
-      BlockTree blocks = find_blocks(graph);
-      cut_q_bodies(graph, blocks);
-      Flow flow = build_flow(graph, blocks, find_time_order(graph, blocks));
-      const Lists lists = build_lists(flow, true);
-      for (const bool columns : {false, true}) {
-        const View view(flow, columns);
-        const LongVector<NodeId>& list = columns ? lists.columns : lists.rows;
-        const Values place = list_places(view, list);
-        for (NodeId m = 0; m < view.size(); ++m) {
-          EXPECT_EQ(std::count(list.begin(), list.end(), m),
-                    view.is_owner(m) || view.is_listed_merge(m));
-          if (!view.is_listed_merge(m)) continue;
-          EXPECT_NE(place[view.ins(m)[0]] < place[m], place[view.ins(m)[1]] < place[m]);
-        }
-      }
+void expect_layout(const Flow& flow, const Lists& lists, const Layout& layout) {
+  for (const bool columns : {false, true}) {
+    const View view(flow, columns);
+    const LongVector<NodeId>& list = columns ? lists.columns : lists.rows;
+    EXPECT_TRUE(merges_are_between(view, list));
+    EXPECT_TRUE(merges_keep_distances(view, columns ? layout.columns : layout.rows));
+    EXPECT_TRUE(shared_rows_are_plane(view, columns ? layout.rows : layout.columns));
+    for (NodeId v = 0; v < view.size(); ++v) {
+      EXPECT_EQ(std::count(list.begin(), list.end(), v),
+                view.is_owner(v) || view.is_listed_merge(v));
     }
+  }
+  EXPECT_TRUE(rays_differ(flow, layout));
+  EXPECT_TRUE(vv_leans_are_primitive(flow, layout));
+}
+
+/// Every condition on every stage, with both efforts and in the safe layout.
+void expect_stages(const Graph& whole) {
+  for (LocalGraph graph : components_of(whole)) {
+    if (graph.size() <= 6) continue;  // single vertices and fixed bodies among them
+    BlockTree blocks = find_blocks(graph);
+    const LongVector<QBody> bodies = cut_q_bodies(graph, blocks);
+    const TimeOrder order = find_time_order(graph, blocks);
+    EXPECT_EQ(order.list.size() + 4 * bodies.size(), graph.size());
+    EXPECT_TRUE(is_time_order(graph, order));
+    const Flow flow = build_flow(graph, blocks, order);
+    EXPECT_TRUE(arms_are_not_parallel(flow));
+    EXPECT_EQ(std::count_if(flow.nodes.begin(), flow.nodes.end(),
+                            [](const Node& v) { return v.ins == 0; }),
+              1);
+    for (const bool share : {false, true}) {
+      Flow own = flow;
+      const Lists lists = build_lists(own, share);
+      const auto layout = find_layout(own, lists, share ? 2 : 0);
+      if (layout) expect_layout(own, lists, *layout);
+    }
+    Flow safe = flow;
+    const Lists lists = build_safe_lists(safe);
+    expect_layout(safe, lists, find_safe_layout(safe, lists));
   }
 }
 
-/// Every condition that the `check` build tests holds on good stages and fails on spoilt ones.
+TEST(TwoBendStages, KeepEveryConditionOnRandomGraphs) {
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_stages(testing::random_graph_of_any_kind(30, seed));
+  }
+}
+
+TEST(TwoBendStages, KeepEveryConditionOnFamilies) {
+  for (const Family& family : families()) {
+    if (family.max_degree > 3) continue;
+    SCOPED_TRACE(family.name);
+    expect_stages(generate(family, 300, 2, {{"shuffle", 1}}));
+  }
+}
+
+/// Every condition holds on good stages and fails on spoilt ones.
 TEST(TwoBendChecks, SeeWhatIsSpoilt) {
   RandomStream random(7);
   LocalGraph graph = components_of(testing::random_cubic_sketch(60, random).graph())[0];

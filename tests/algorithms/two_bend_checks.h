@@ -1,19 +1,21 @@
-// What Step 2.6, Lemmas 2.5 and 2.7 and Rules 2.5 to 2.7 claim of the stages, decided slowly and
-// plainly: the `check` build asks after every stage, and tests spoil a stage to see the condition
-// fail. Cost: O(n) each, O(n log n) for the rays, which are sorted.
-#include "ar3d/algorithms/two_bend/checks.h"
+#pragma once
 
+// What Step 2.6, Lemmas 2.5 and 2.7 and Rules 2.5 to 2.7 claim of the stages of `two-bend`, decided
+// slowly and plainly: tests ask after every stage, and spoil a stage to see the condition fail.
+
+#include <algorithm>
 #include <cstdlib>
+#include <numeric>
 #include <tuple>
 
+#include "ar3d/algorithms/two_bend/layout.h"
 #include "ar3d/algorithms/two_bend/slab.h"
 
 namespace ar3d::two_bend {
-namespace {
 
 /// Neighbours of v on one side of it in `place`.
-unsigned count_side(const LocalGraph& graph, const LongVector<std::uint32_t>& place, Vertex v,
-                    bool later) {
+inline unsigned count_side(const LocalGraph& graph, const LongVector<std::uint32_t>& place,
+                           Vertex v, bool later) {
   const NeighbourList& near = graph.neighbours[v];
   unsigned count = 0;
   for (std::size_t k = 0; k < near.degree(); ++k) {
@@ -23,8 +25,8 @@ unsigned count_side(const LocalGraph& graph, const LongVector<std::uint32_t>& pl
 }
 
 /// Of a vertex whose neighbours are all on the side `!later`: how many have no other on this side.
-unsigned count_closing(const LocalGraph& graph, const LongVector<std::uint32_t>& place, Vertex v,
-                       bool later) {
+inline unsigned count_closing(const LocalGraph& graph, const LongVector<std::uint32_t>& place,
+                              Vertex v, bool later) {
   unsigned count = 0;
   for (const Vertex u : graph.neighbours[v].to) {
     count += graph.neighbours[u].degree() == 3 && count_side(graph, place, u, later) == 1 ? 1u : 0u;
@@ -32,9 +34,10 @@ unsigned count_closing(const LocalGraph& graph, const LongVector<std::uint32_t>&
   return count;
 }
 
-}  // namespace
-
-bool is_time_order(const LocalGraph& graph, const TimeOrder& order) {
+/// The list is an order of all its vertices in which exactly the first has no earlier neighbour,
+/// and every vertex of degree 3 without a later (an earlier) neighbour has two neighbours that have
+/// no other later (earlier) one.
+inline bool is_time_order(const LocalGraph& graph, const TimeOrder& order) {
   LongVector<std::uint32_t> place(graph.size(), kNone);
   for (std::uint32_t i = 0; i < order.list.size(); ++i) place[order.list[i]] = i;
   for (const Vertex v : order.list) {
@@ -49,14 +52,16 @@ bool is_time_order(const LocalGraph& graph, const TimeOrder& order) {
   return true;
 }
 
-bool arms_are_not_parallel(const Flow& flow) {
+/// No two long edges join the same SPLIT to the same MERGE.
+inline bool arms_are_not_parallel(const Flow& flow) {
   return std::none_of(flow.nodes.begin(), flow.nodes.end(), [&](const Node& node) {
     const std::size_t first = node.ins;
     return node.type == NodeType::split && node.neighbour[first] == node.neighbour[first + 1];
   });
 }
 
-bool merges_are_between(const View& view, const LongVector<NodeId>& list) {
+/// Every listed MERGE stands strictly between its in-neighbours' rows in the list of the view.
+inline bool merges_are_between(const View& view, const LongVector<NodeId>& list) {
   const Values place = list_places(view, list);
   for (NodeId m = 0; m < view.size(); ++m) {
     if (!view.is_listed_merge(m)) continue;
@@ -66,7 +71,9 @@ bool merges_are_between(const View& view, const LongVector<NodeId>& list) {
   return true;
 }
 
-bool merges_keep_distances(const View& view, const Values& values) {
+/// Owners even, all MERGEs of the view but straight ones odd and between their in-neighbours, at
+/// the distances that Values promises.
+inline bool merges_keep_distances(const View& view, const Values& values) {
   const auto least = [&](NodeId u) {
     return view.type(u) == NodeType::station ? 2 : view.type(u) == NodeType::merge ? 2 : 1;
   };
@@ -87,7 +94,8 @@ bool merges_keep_distances(const View& view, const Values& values) {
   return true;
 }
 
-bool rays_differ(const Flow& flow, const Layout& layout) {
+/// Rays at one (x, y) belong to edges whose spans of time do not overlap.
+inline bool rays_differ(const Flow& flow, const Layout& layout) {
   using Span = std::tuple<std::int64_t, std::int64_t, NodeId, NodeId>;  // x, y, from, to
   LongVector<Span> spans;
   for (const LongEdge& edge : flow.edges) {
@@ -101,7 +109,8 @@ bool rays_differ(const Flow& flow, const Layout& layout) {
          }) == spans.end();
 }
 
-bool vv_leans_are_primitive(const Flow& flow, const Layout& layout) {
+/// Every VV lean is straight up or primitive.
+inline bool vv_leans_are_primitive(const Flow& flow, const Layout& layout) {
   const LongVector<LongId>& edges = flow.vv_edges;
   return std::all_of(edges.begin(), edges.end(), [&](LongId e) {
     const NodeId m = flow.edges[e].lower;

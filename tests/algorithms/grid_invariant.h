@@ -1,20 +1,23 @@
+#pragma once
+
 // (I1) to (I5) of docs/theorem3.md, checked by hash tables as plainly as they are stated. Lemma 3.3
-// concludes from them that the drawing has no crossing. Only tests and builds with AR3D_CHECKS run
-// it. Cost: O(n log n) expected, as sums are sorted.
+// concludes from them that the drawing has no crossing.
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
 #include <unordered_set>
+#include <vector>
 
 #include "ar3d/algorithms/grid/planes.h"
 
 namespace ar3d::grid {
-namespace {
 
-class Checker {
+class InvariantChecker {
  public:
-  Checker(const Graph& graph, const Planes& planes)
+  InvariantChecker(const Graph& graph, const Planes& planes)
       : graph_(graph), planes_(planes), component_(connected_components_of(graph).of) {}
 
   std::string run() {
@@ -135,10 +138,9 @@ class Checker {
   std::string broken_;
 };
 
-}  // namespace
-
-std::string broken_invariant(const Graph& graph, const Planes& planes) {
-  return Checker(graph, planes).run();
+/// @return "" or the first broken rule with the edge or vertex that breaks it.
+inline std::string broken_invariant(const Graph& graph, const Planes& planes) {
+  return InvariantChecker(graph, planes).run();
 }
 
 }  // namespace ar3d::grid
