@@ -101,7 +101,7 @@ const draw = chart => {
     ys.push(low, high);
   }
   const labels = [...lines, ...symbols].filter(one => one.label && one.points.length)
-    .map(one => ({...one.points.at(-1), text: one.label, colour: one.stroke ?? one.fill}));
+    .map(one => ({...one.points.at(-1), text: one.label, colour: (one.stroke ?? one.fill).replace("--c", "--t")}));
   const options = {width: kWidth, height: kHeight, marginLeft: kLeft, marginRight: chart.narrow ? 16 : kRight, marginTop: kTop, marginBottom: kBottom,
     style: {background: "none", color: "var(--muted)"}, ariaLabel: chart.title, color: {type: "identity"}};
   if (bars.length) {

@@ -87,10 +87,11 @@ export function replay(row) {
 }
 export const open = row => isDrawn(row) ? showDrawing(row) : replay(row);
 
-/** A button that opens the drawing of a row, or says how it is drawn again. */
+/** A button that opens the drawing of a row, or says how it is drawn again. Who hears its text hears the graph's name, too. */
 export const graphButton = (row, text) => {
   if (graphOf(row) === undefined) return element("span", {}, text);
-  const button = element("button", {type: "button", class: "graph", "data-r": row}, text);
+  const name = graphOf(row).name ?? "", label = text.includes(name) ? null : `${text}, ${name}`;
+  const button = element("button", {type: "button", class: "graph", "data-r": row, "aria-label": label}, text);
   button.addEventListener("click", () => open(row));
   return button;
 };

@@ -2,7 +2,7 @@
 import {all, byId, count, distinct, element, grouped, interval, number, percent, powerOfN, range, rowsOf, shortCount} from "./values.js";
 import {folded, makeTable, withSmall} from "./tables.js";
 import {colour, figure} from "./charts.js";
-import {graphButton, isDrawn, open, pointsOf} from "./graphs.js";
+import {graphButton, graphOf, graphText, isDrawn, open, pointsOf} from "./graphs.js";
 
 const kMostOpenRows = 80;
 const kShort = {"longest side": "side", volume: "volume", "drawing time": "time"};
@@ -89,10 +89,14 @@ const bendChart = setting => {
 const shareCell = row => {
   if (!row) return element("td");
   const shade = Math.min(9, Math.max(0, Math.floor(row.share * 10)));
-  const cell = element("td", {class: `h${shade}${row.share > 1 ? " violated" : ""}${isDrawn(row.row) ? " shown" : ""}`, "data-r": row.row, "data-v": row.share, tabindex: 0},
+  const cell = element("td", {class: `h${shade}${row.share > 1 ? " violated" : ""}${isDrawn(row.row) ? " shown" : ""}`, "data-r": row.row, "data-v": row.share, tabindex: 0, title: graphOf(row.row)?.name},
     percent(row.share, 0).replace(" %", ""));
   cell.addEventListener("click", () => open(row.row));
-  cell.addEventListener("keydown", event => { if (event.key === "Enter") open(row.row); });
+  cell.addEventListener("keydown", event => {
+    if (event.key !== "Enter") return;
+    event.preventDefault();  // else it also presses the dialog's first button
+    open(row.row);
+  });
   return cell;
 };
 
@@ -128,7 +132,7 @@ const boundsTable = rows => folded("Bounds table", rows.length <= kMostOpenRows,
   fillColumn("x"), fillColumn("y"), fillColumn("z"),
   {name: "Own bound", value: row => row.own_share, show: row => percent(row.own_share)},
   {name: "Published", value: row => row.published_share, show: row => percent(row.published_share)},
-  {name: "Worst graph", show: row => row.worst_row === null ? "\u2013" : graphButton(row.worst_row, "n = " + count(row.worst_n))},
+  {name: "Worst graph", show: row => row.worst_row === null ? "\u2013" : graphButton(row.worst_row, graphText(row.worst_row, row.worst_n))},
 ], rows, row => ({"data-f": row.curve})));
 
 const timeLabel = growth => {

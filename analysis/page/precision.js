@@ -5,7 +5,7 @@ import {colour, figure} from "./charts.js";
 import {effortChart, effortTable} from "./compared.js";
 import {realStudy} from "./real.js";
 
-const kMostSentences = 40, kMostPoints = 3000;
+const kMostSentences = 40, kMostOpenLevels = 24, kMostPoints = 3000;
 let made;
 const real = () => made ??= realStudy(rowsOf("real_drawings"), rowsOf("bounds"), rowsOf("graphs"));
 const typeName = type => real().types[type].type;
@@ -110,8 +110,8 @@ const levelPart = () => {
   if (!rows.length) return [];
   return [element("h3", {}, "Levels of detail"), element("p", {}, "What a row stores of its drawing: nothing, positions, all bends. Times per vertex (drawing in CPU time), medians and (grey) from 10 to 90 %; " +
     "memory is the peak beyond what was resident when the row began, where the row had a process or a measurement of its own."),
-  makeTable([...kCells, {name: "Level", show: row => row.level}, kRows, span("Drawing", "draw"), span("Storing", "store"), span("Certifying", "certify"),
-    {name: "Bytes per vertex", value: row => row.bytes, show: row => row.bytes === null ? "\u2013" : row.bytes.toFixed(0)}], rows)];
+  folded("The table", rows.length <= kMostOpenLevels, makeTable([...kCells, {name: "Level", show: row => row.level}, kRows, span("Drawing", "draw"), span("Storing", "store"), span("Certifying", "certify"),
+    {name: "Bytes per vertex", value: row => row.bytes, show: row => row.bytes === null ? "\u2013" : row.bytes.toFixed(0)}], rows))];
 };
 
 export const precisionSection = () => {

@@ -7,7 +7,7 @@ import {exponentCell, exponentRange, settingSections, violations} from "./growth
 import {collectionSections, scalingSection, tradeSection} from "./compared.js";
 import {precisionSection} from "./precision.js";
 
-const kShownFindings = 20, kShownCells = 60, kShownLines = 20;
+const kShownFindings = 20, kOpenFindings = 5, kShownCells = 60, kShownLines = 20;
 const showSection = (id, ...children) => {
   const section = byId(id);
   section.hidden = false;
@@ -55,8 +55,10 @@ const findingsPart = () => {
   const findings = rowsOf("findings").slice(0, kShownFindings), rest = firstOf("verdict").findings - findings.length;
   if (!findings.length) return;
   byId("findings").hidden = false;
-  byId("findings").querySelector("ol").append(...findings.map(row => element("li", {}, element("b", {class: row.is_violation ? "violated" : "incomplete"}, row.kind), ": ",
-    row.row === null ? "" : [graphButton(row.row, `row ${row.row}, ${row.subject}`), ": "], row.message, row.row === null ? "" : [element("br"), element("code", {}, row.command)])));
+  const items = findings.map(row => element("li", {}, element("b", {class: row.is_violation ? "violated" : "incomplete"}, row.kind), ": ",
+    row.row === null ? "" : [graphButton(row.row, `row ${row.row}, ${row.subject}`), " "], row.message, row.row === null ? "" : [element("br"), element("code", {}, row.command)]));
+  byId("findings").querySelector("ol").append(...items.slice(0, kOpenFindings));
+  if (items.length > kOpenFindings) byId("findings").append(folded(`${count(items.length - kOpenFindings)} more`, false, element("ol", {start: kOpenFindings + 1}, items.slice(kOpenFindings))));
   if (rest > 0) byId("findings").append(element("p", {}, `\u2026 and ${count(rest)} more; `, element("code", {}, "ar3d check"), " counts them all."));
 };
 

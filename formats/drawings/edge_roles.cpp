@@ -36,7 +36,7 @@ EdgeRoles halves(const Drawing& drawing, Vector normal) {
   };
   return with_roles({"half of the drawing",
                      {{"green: above the vertices' plane", kGreen},
-                      {"red: below the vertices' plane", kVermilion},
+                      {"orange: below the vertices' plane", kVermilion},
                       {"neither", kPurple}},
                      {}},
                     drawing, above_or_below);

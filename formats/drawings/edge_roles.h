@@ -25,9 +25,9 @@ struct EdgeRoles {
 };
 
 /// The roles of
-/// - `diamond` and `compact`: green edges run above the plane of the vertices, red ones below
-///   (docs/theorem1.md, Lemma 1.2; docs/compact.md, Lemma C.3); so do those to the right and to the
-///   left of `compact-120`, whose plane is 5x + 5y = 3z (docs/compact-120.md);
+/// - `diamond` and `compact`: green edges run above the plane of the vertices, red ones, shown
+///   orange, below (docs/theorem1.md, Lemma 1.2; docs/compact.md, Lemma C.3); so do those to the
+///   right and to the left of `compact-120`, whose plane is 5x + 5y = 3z (docs/compact-120.md);
 /// - `grid`: the label of a U-edge, or a defect (docs/theorem3.md, Coordinates, labels and planes);
 /// - `two-bend`: whether the ends are arms or vertical (docs/theorem2.md, Types of vertices).
 /// Of other drawings all edges have one role. O(n + m) time.

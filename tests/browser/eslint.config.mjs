@@ -3,7 +3,7 @@ const browser = ["Blob", "DecompressionStream", "HTMLButtonElement", "HTMLCanvas
   "DOMParser", "HTMLTextAreaElement", "Option", "Response", "THREE", "TextDecoder", "TextEncoder", "URL", "URLSearchParams", "WebAssembly", "Worker",
   "ar3dCore", "history", "location", "navigator", "self", "addEventListener", "atob", "cancelAnimationFrame", "clearTimeout", "devicePixelRatio", "document",
   "getComputedStyle", "getSelection", "innerHeight", "innerWidth", "matchMedia", "performance", "requestAnimationFrame", "scrollTo", "setTimeout", "window"];
-const node = ["Buffer", "ClipboardEvent", "DataTransfer", "DragEvent", "File", "setInterval", "console", "process", "structuredClone"];
+const node = ["Buffer", "ClipboardEvent", "DataTransfer", "DragEvent", "File", "SVGElement", "setInterval", "console", "process", "structuredClone"];
 const known = names => Object.fromEntries(names.map(name => [name, "readonly"]));
 
 const rules = {

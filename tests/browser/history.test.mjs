@@ -5,7 +5,7 @@ import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {after, before, test} from "node:test";
-import {complaints, launch, newPage, program, requests} from "./chromium.mjs";
+import {complaints, cutOff, launch, nameless, newPage, paleTexts, program, requests} from "./chromium.mjs";
 
 const spec = `study = "browser"
 [[sweep]]
@@ -78,9 +78,13 @@ test("tables sort", async () => {
   assert.deepEqual(sizes, [...sizes].sort((a, b) => b - a));
 });
 
-test("it reads at 390 pixels", async () => {
+test("it reads at 390 pixels, light and dark, and every control has a name", async () => {
   await page.setViewportSize({width: 390, height: 800});
-  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390);
+  assert.deepEqual([await cutOff(page), await nameless(page)], [[], []]);
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({colorScheme});
+    assert.deepEqual(await paleTexts(page), []);
+  }
 });
 
 test("names are only text, and a script that is planted does not run", async () => {

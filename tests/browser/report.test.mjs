@@ -1,11 +1,11 @@
 // The report in headless Chromium: what a reader sees, points at, clicks and types.
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
-import {copyFileSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from "node:fs";
+import {copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
-import {dirname, join} from "node:path";
+import {dirname, join, resolve} from "node:path";
 import {after, before, test} from "node:test";
-import {complaints, launch, newPage, program, requests, shot} from "./chromium.mjs";
+import {complaints, cutOff, launch, nameless, newPage, paleTexts, program, requests, shot} from "./chromium.mjs";
 
 const spec = `study = "browser"
 seed = 1
@@ -201,6 +201,94 @@ test("an underlined number of the heat map opens its drawing in 3D", async () =>
   await page.locator("#shown").getByRole("button", {name: "Close"}).click();
 });
 
+test("Escape closes a drawing's dialog from its frame, where Tab leaves it, and from its buttons", async () => {
+  const cell = page.locator("section#a0 table.heat td.shown").first(), frames = page.locator("#shown iframe"), close = page.locator("#shown").getByRole("button", {name: "Close"});
+  const within = selector => page.frameLocator("#shown iframe").locator(selector);
+  const isIn = selector => within(selector).evaluate(part => part.contains(document.activeElement));
+  const open = async () => {
+    await cell.focus();
+    await page.keyboard.press("Enter");
+    await within("#verdict").waitFor();
+    await page.waitForFunction(() => document.activeElement.tagName === "IFRAME" && document.activeElement.contentWindow.ar3d.view.ready);
+  };
+  /// Presses a key until `reached`, at most as often as the dialog and the frame have controls.
+  const until = async (key, reached) => {
+    for (let i = 0; i < 40; ++i) {
+      await page.keyboard.press(key);
+      if (await reached()) return;
+    }
+    assert.fail(`${key} never gets there`);
+  };
+  const isClosed = async () => {
+    await frames.waitFor({state: "detached"});
+    assert.ok(await page.locator("#shown").isHidden());
+    assert.ok(await cell.evaluate(td => td === document.activeElement), "the focus is where it was");
+  };
+  const onClose = () => close.evaluate(button => button === document.activeElement);
+  await open();
+  assert.deepEqual([await nameless(page), await nameless(page.frameLocator("#shown iframe"))], [[], []]);
+  await page.keyboard.press("Escape");
+  await isClosed();
+  await open();
+  await until("Tab", onClose);
+  await until("Shift+Tab", () => isIn("#panel"));
+  await until("Shift+Tab", onClose);
+  await page.keyboard.press("Escape");
+  await isClosed();
+  await open();
+  await page.keyboard.press(".");
+  assert.match(await within("#selected").textContent(), /^vertex 0 at /);
+  await page.keyboard.press("Escape");
+  assert.ok(await within("#selection").isHidden());
+  assert.ok(await page.locator("#shown").isVisible(), "the first Escape took the selection away");
+  await page.keyboard.press("Escape");
+  await isClosed();
+});
+
+/// A collection in three levels of folders, of which somebody's program draws every graph wrong, at three levels of detail.
+test("the page of a large collection with findings: 390 pixels, not endless, and a graph's name on every button", async () => {
+  const sized = n => execFileSync(program, ["generate", "random-cubic", "-n", String(n), "--count", "39"]).toString().trim().split("\n");
+  const graphs = Array.from({length: 50}, (_, i) => sized(10 + 2 * i)).flat();
+  for (let i = 0; i < graphs.length; ++i) {
+    const town = join(folder, "towns", `region-${i % 13}`, `district-${i % 5}`, `town-${i % 3}`);
+    mkdirSync(town, {recursive: true});
+    writeFileSync(join(town, `the-streets-of-town-${i}-and-of-its-neighbours.g6`), graphs[i] + "\n");
+  }
+  writeFileSync(join(folder, "towns.toml"), `study = "towns"
+[[algorithm]]
+name = "moment-curve"
+command = ["/usr/bin/python3", "${resolve("../apps/moment_curve.py")}"]
+guarantee = { max_degree = 4, max_bends = 3, cosine = [-1, 3] }
+[[sweep]]
+graphs = { files = "towns", name = "towns" }
+algorithms = ["diamond", "grid", "moment-curve"]
+level = ["extents", "positions", "full"]
+`);
+  assert.throws(() => execFileSync(program, ["study", "run", join(folder, "towns.toml"), "-q", "-o", join(folder, "towns.h5")], {stdio: "ignore"}), {status: 4});
+  const towns = await newPage(browser);
+  await towns.goto("file://" + join(folder, "towns.html"));
+  await drawn(towns);
+  assert.equal(await towns.locator("#findings li").count(), 20);
+  for (const width of [1280, 390]) {
+    await towns.setViewportSize({width, height: 900});
+    const height = await towns.evaluate(() => document.documentElement.scrollHeight);
+    process.stdout.write(`# the page is ${height} pixels high at ${width}\n`);
+    assert.ok(height < 12000);
+  }
+  await towns.evaluate(() => document.querySelectorAll("details").forEach(part => { part.open = true; }));
+  for (const width of [390, 1280]) {
+    await towns.setViewportSize({width, height: 900});
+    assert.deepEqual(await cutOff(towns), [], `cut at ${width}`);
+    await shot(towns, "findings-" + width);
+  }
+  assert.ok(await towns.locator("#precision tbody tr").count() <= 16 * 3 * 3, "bins of n");
+  assert.ok(await towns.locator("button.graph").count() > 20);
+  assert.equal(await towns.getByRole("button", {name: /the-streets-of-town-\d+/, includeHidden: true}).count(), await towns.locator("button.graph").count());
+  assert.equal(await towns.locator("td[data-r]:not([title*=the-streets])").count(), 0);
+  assert.deepEqual(await nameless(towns), []);
+  await towns.close();
+});
+
 test("every figure is saved as SVG and CSV", async () => {
   const figure = page.locator("section#a0 figure").first();
   const saved = async label => {
@@ -289,17 +377,11 @@ test("the keyboard does all of it", async () => {
 test("it reads at 1280 and 390 pixels, light and dark", async () => {
   for (const width of [1280, 390]) {
     await page.setViewportSize({width, height: 900});
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-    assert.ok(wide <= 0, `${wide} pixels too wide at ${width}`);
     const small = await page.evaluate(() => Math.min(...[...document.querySelectorAll("svg.plot")]
       .map(svg => svg.getBoundingClientRect().width).filter(w => w > 0)));
     assert.ok(small >= 300, `a plot of ${small} pixels at ${width}`);
     // Whatever is wider than the page scrolls by itself: nothing is cut.
-    const cut = await page.evaluate(() => [...document.querySelectorAll("body *")].filter(e => {
-      const box = e.getBoundingClientRect();
-      return box.width > 0 && box.right > innerWidth + 1 && !e.closest(".scroll, pre, code");
-    }).map(e => e.outerHTML.slice(0, 80)));
-    assert.deepEqual(cut, [], `cut at ${width}`);
+    assert.deepEqual(await cutOff(page), [], `cut at ${width}`);
     // The front table is wider than a telephone, and the shade at its edge, which goes when it is scrolled, lies under nothing opaque.
     const front = await page.evaluate(() => {
       const box = document.querySelector(".scroll"), style = getComputedStyle(box);
@@ -318,9 +400,19 @@ test("it reads at 1280 and 390 pixels, light and dark", async () => {
   }
   await page.setViewportSize({width: 1280, height: 900});
   const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  /// One name of a series in each of the colours that there are, beside those of the page.
+  const namePale = () => page.evaluate(() => document.querySelector("g.ends").append(...Array.from({length: 8}, (_, i) => {
+    const name = document.createElementNS("http://www.w3.org/2000/svg", "text");
+    name.setAttribute("fill", `var(--t${i})`);
+    name.textContent = "series";
+    return name;
+  })));
+  await namePale();
   const light = await background();
+  assert.deepEqual(await paleTexts(page), []);
   await page.emulateMedia({colorScheme: "dark"});
   assert.notEqual(await background(), light);
+  assert.deepEqual(await paleTexts(page), []);
   await shot(page, "dark-1280");
   await page.emulateMedia({colorScheme: "light"});
 });

@@ -5,7 +5,7 @@ import {mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from "node:f
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {after, before, test} from "node:test";
-import {complaints, launch, newPage as pageOf, program, requests, shot} from "./chromium.mjs";
+import {complaints, cutOff, launch, nameless, newPage as pageOf, paleTexts, program, requests, shot} from "./chromium.mjs";
 
 const minus = text => text.replace(/-/g, "\u2212");
 
@@ -120,6 +120,35 @@ test("a click selects, shows angles, and an edge is followed", async () => {
   await page.waitForTimeout(1000);
 });
 
+test("a vertex is chosen by keyboard, and every control has a name", async () => {
+  await open("k5.html");
+  assert.deepEqual(await nameless(page), []);
+  for (let i = 0; i < 3 && await page.evaluate(() => document.activeElement.id) !== "stage"; ++i) await page.keyboard.press("Tab");
+  for (const [key, vertex] of [[".", 0], [".", 1], [",", 0], [",", 4]]) {
+    await page.keyboard.press(key);
+    assert.match(await page.getByRole("status").first().textContent(), new RegExp(minus(`^vertex ${vertex} at \\(${k5.vertices[vertex].join(", ")}\\)`)));
+  }
+  await page.keyboard.press("Escape");
+  assert.ok(await page.locator("#selection").isHidden());
+});
+
+test("a colour that the legend names is that colour, light and dark", async () => {
+  const kHues = {red: [-15, 15], orange: [15, 45], yellow: [45, 70], green: [80, 170], blue: [190, 250], purple: [260, 330]};
+  const seen = new Set();
+  await open("k5.html");
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({colorScheme});
+    for (const [text, colour] of await page.locator("#legend li").evaluateAll(items => items.map(item => [item.textContent, item.querySelector("i").style.background]))) {
+      const [r, g, b] = colour.match(/\d+/g).map(Number), hue = Math.atan2(Math.sqrt(3) * (g - b), 2 * r - g - b) * 180 / Math.PI, [word] = text.split(":");
+      seen.add(word);
+      const [low, high] = kHues[word];
+      assert.ok((hue - low + 720) % 360 < high - low, `${text} is ${colour}`);
+    }
+  }
+  assert.deepEqual([...seen], ["green", "orange"]);
+  await page.emulateMedia({colorScheme: "light"});
+});
+
 test("the slider grows the drawing in the construction's order", async () => {
   await open("k5.html");
   const whole = await picture();
@@ -189,27 +218,25 @@ test("a picture is saved", async () => {
 });
 
 test("it reads at 1280 and 390 pixels, light and dark", async () => {
+  await open("k5.html");
   const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   const light = await background(), picturedLight = await picture();
   await page.emulateMedia({colorScheme: "dark"});
   await page.waitForFunction(() => document.documentElement.classList.contains("dark"));
   assert.notEqual(await background(), light);
+  assert.deepEqual(await paleTexts(page), []);
   assert.notEqual(await picture(), picturedLight);
   await shot(page, "viewer-k5-dark");
   await page.keyboard.press("d");
   assert.equal(await background(), light);
+  assert.deepEqual(await paleTexts(page), []);
   await page.emulateMedia({colorScheme: "light"});
   await page.setViewportSize({width: 390, height: 800});
   await open("several.html");
   assert.ok(await page.locator("#panel").isHidden(), "the controls are folded away");
   for (const open of [false, true]) {
     if (open) await page.locator("#unfold").click();
-    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
-    const outside = await page.evaluate(() => [...document.querySelectorAll("header *, #panel *, #pages *")].filter(e => {
-      const box = e.getBoundingClientRect();
-      return box.width > 0 && (box.left < -1 || box.right > innerWidth + 1);
-    }).map(e => e.outerHTML.slice(0, 80)));
-    assert.deepEqual(outside, []);
+    assert.deepEqual(await cutOff(page, "header *, #panel *, #pages *"), []);
     await shot(page, open ? "viewer-390-controls" : "viewer-390");
   }
   await page.setViewportSize({width: 1280, height: 900});
