@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstring>
 #include <span>
 
 #include "ar3d/model/drawing.h"
@@ -16,7 +17,7 @@ namespace {
 
 // Slabs, columns and rows per square root of the number of middles: measured to be fast for random
 // 4-regular graphs of 10^3 to 10^6 vertices and for tori.
-constexpr double kSlabs = 0.4, kColumns = 0.3, kRows = 0.5;
+constexpr double kSlabs = 0.3, kColumns = 0.2, kRows = 0.35;
 
 __extension__ using Int128 = __int128;
 using Int256 = boost::multiprecision::int256_t;
@@ -67,21 +68,35 @@ LineModulo line_of(const LatticeSegment& segment) {
   return {cut(u), cut(v), cut(w), cut(y * w - z * v), cut(z * u - x * w), cut(x * v - y * u)};
 }
 
-/// Which of `count` lines, given by component, may be coplanar to this one; and how many. Without
-/// branches, so that the compiler tests several at a time.
-std::size_t find_coplanar(const LineModulo& line, const std::array<const std::uint16_t*, 6>& lines,
-                          std::size_t count, std::uint16_t* __restrict is_coplanar) {
+using LineComponents = std::array<const std::uint16_t*, 6>;
+
+/// Which of `count` lines, given by component, may be coplanar to this one. Without branches, so
+/// that the compiler tests several at a time.
+__attribute__((always_inline)) inline void find_coplanar(const LineModulo& line,
+                                                         const LineComponents& lines,
+                                                         std::size_t count,
+                                                         std::uint16_t* __restrict is_coplanar) {
   const auto [a, b, c, d, e, f] = lines;
   const std::uint32_t u = line[0], v = line[1], w = line[2], l = line[3], m = line[4], n = line[5];
-  std::uint16_t found = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const auto sum =
         static_cast<std::uint16_t>(u * d[i] + v * e[i] + w * f[i] + l * a[i] + m * b[i] + n * c[i]);
     is_coplanar[i] = sum == 0 ? 1 : 0;
-    found = static_cast<std::uint16_t>(found + is_coplanar[i]);
   }
-  return found;
 }
+
+#if defined(__x86_64__)
+const bool kHasAvx2 = __builtin_cpu_supports("avx2") != 0;
+__attribute__((target("avx2"))) void find_coplanar_avx2(const LineModulo& line,
+                                                        const LineComponents& lines,
+                                                        std::size_t count,
+                                                        std::uint16_t* __restrict is_coplanar) {
+  find_coplanar(line, lines, count, is_coplanar);
+}
+#else
+constexpr bool kHasAvx2 = false;
+constexpr auto& find_coplanar_avx2 = find_coplanar;
+#endif
 
 /// Two segments that meet do so in a slab and a cell that both are entered in: heights are compared
 /// exactly, and what is entered is widened by far more than the rounding errors.
@@ -265,15 +280,17 @@ class SlabSweep {
       for (std::size_t begin = i + 1; begin < cell.size(); begin += kBlock) {
         const std::size_t count = std::min(kBlock, cell.size() - begin);
         const std::size_t padded = (count + kLanes - 1) / kLanes * kLanes;
-        const std::array<const std::uint16_t*, 6> lines = {&lines_[0][begin], &lines_[1][begin],
-                                                           &lines_[2][begin], &lines_[3][begin],
-                                                           &lines_[4][begin], &lines_[5][begin]};
-        std::size_t left = find_coplanar(cell[i].line, lines, padded, is_coplanar_.data());
-        left -= padded - count;  // those behind the cell's
-        for (std::size_t j = 0; left > 0; ++j) {
-          if (is_coplanar_[j] == 0) continue;
-          compare(cell[i].index, cell[begin + j].index);
-          --left;
+        const LineComponents lines = {&lines_[0][begin], &lines_[1][begin], &lines_[2][begin],
+                                      &lines_[3][begin], &lines_[4][begin], &lines_[5][begin]};
+        std::uint16_t* const found = is_coplanar_.data();
+        kHasAvx2 ? find_coplanar_avx2(cell[i].line, lines, padded, found)
+                 : find_coplanar(cell[i].line, lines, padded, found);
+        const auto next = [&](const std::uint16_t* from) {  // a byte of each of them is 1
+          return static_cast<const std::uint16_t*>(
+              std::memchr(from, 1, 2 * static_cast<std::size_t>(found + count - from)));
+        };
+        for (const std::uint16_t* at = next(found); at != nullptr; at = next(at + 1)) {
+          compare(cell[i].index, cell[begin + static_cast<std::size_t>(at - found)].index);
         }
       }
     }
@@ -281,12 +298,13 @@ class SlabSweep {
 
   void compare(std::uint32_t i, std::uint32_t j) {
     if (std::min(i, j) >= middles_.size()) return;
-    const DrawnSegment &a = segment(std::min(i, j)), &b = segment(std::max(i, j));
-    if (a.owner == b.owner || middles_.size() + a.stub == std::max(i, j)) return;
-    if (meet(a.at, b.at)) found_.push_back(std::max(a.owner, b.owner));
+    const DrawnSegment& a = segment(std::min(i, j));
+    if (middles_.size() + a.stub == std::max(i, j)) return;
+    const DrawnSegment& b = segment(std::max(i, j));
+    if (a.owner != b.owner && meet(a.at, b.at)) found_.push_back(std::max(a.owner, b.owner));
   }
 
-  static constexpr std::size_t kLanes = 8, kBlock = 256;
+  static constexpr std::size_t kLanes = 16, kBlock = 256;
   static constexpr double kMargin = 0x1p-20;  // of a cell
   const std::vector<DrawnSegment>& middles_;
   const std::vector<DrawnSegment>& stubs_;  ///< by index behind the middles
