@@ -6,8 +6,8 @@
 
 namespace ar3d {
 
-/// Bad input or bad usage. The message is one line that names the value and, for files, file and
-/// line. Programs print it and exit with code 2.
+/// Reports bad input or bad usage. The message is one line that names the value and, for files,
+/// file and line. Programs print it and exit with code 2.
 class InputError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

@@ -11,7 +11,7 @@ struct XXH3_state_s;  // of xxhash.h, which a user of the installed package need
 
 namespace ar3d {
 
-/// Is 128-bit XXH3 hash of a sequence of integers, fed little endian: equal on all platforms.
+/// Hashes a sequence of integers, fed little endian, by 128-bit XXH3: equal on all platforms.
 class HashStream {
  public:
   HashStream();

@@ -9,7 +9,7 @@
 namespace ar3d {
 namespace {
 
-/// Is the name of long double by its bits, which machines differ in: 64 or 113 of the significand.
+/// Names long double by its bits, which machines differ in: 64 or 113 of the significand.
 constexpr const char* kLongDouble =
     std::numeric_limits<long double>::digits == 64 ? "binary80" : "binary128";
 

@@ -8,14 +8,14 @@
 
 namespace ar3d {
 
-/// Arrays from this size on get pages of 2 MiB where the system has them for the asking: far fewer
-/// page faults, and random access misses the address cache less often.
+/// Tells from which size on arrays get pages of 2 MiB where the system has them for the asking: far
+/// fewer page faults, and random access misses the address cache less often.
 inline constexpr std::size_t kLongArrayBytes = std::size_t{1} << 22;
 /// Returns memory for `bytes` bytes, at least kReusableBytes. @throws std::bad_alloc.
 void* allocate_long_array(std::size_t bytes);
 void free_long_array(void* array) noexcept;
 
-/// Memory for arrays from this size on can be used again (LongArrayReuse).
+/// Tells from which size on the memory of arrays can be used again (LongArrayReuse).
 inline constexpr std::size_t kReusableBytes = std::size_t{1} << 19;
 
 /// Allocates as std::allocator; arrays of kLeast bytes and more get pages of 2 MiB and can be used
@@ -54,7 +54,7 @@ using LongVector = std::vector<T, LongAllocator<T, true>>;
 /// (kLongArrayBytes). Advice: may be refused.
 void advise_long_array(void* array, std::size_t bytes);
 
-/// vector.reserve(count) with pages as for an UnwrittenVector.
+/// Reserves as vector.reserve(count) does, with pages as for an UnwrittenVector.
 template <class T>
 void reserve_long(std::vector<T>& vector, std::size_t count) {
   if (count <= vector.capacity()) return;
@@ -69,8 +69,8 @@ void reserve_long(std::vector<T>& vector, std::size_t count) {
   vector.swap(longer);
 }
 
-/// While one lives, arrays from kReusableBytes on that its thread frees are kept for its later
-/// ones: these then need no fresh memory, which the system would have to clear. An array is at most
+/// Keeps arrays from kReusableBytes on that its thread frees for its later ones, while it lives:
+/// these then need no fresh memory, which the system would have to clear. An array is at most
 /// twice as long as it was asked for. What nothing uses at the end is given back; arrays may
 /// outlive it, and other threads may free them. Inside another one it does nothing.
 class LongArrayReuse {

@@ -5,7 +5,7 @@
 
 namespace ar3d {
 
-/// C2 before C10: runs of digits are compared as numbers.
+/// Puts C2 before C10: runs of digits are compared as numbers.
 struct AsPeopleSort {
   bool operator()(std::string_view a, std::string_view b) const {
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -25,7 +25,7 @@ struct AsPeopleSort {
   }
 
  private:
-  /// Takes the digits away; those behind leading zeros.
+  /// Takes the digits away. @return those behind leading zeros.
   static std::string_view number_at(std::string_view& text) {
     const std::size_t end = std::min(text.find_first_not_of("0123456789"), text.size());
     std::string_view digits = text.substr(0, end);

@@ -36,9 +36,9 @@ class Descriptor {
 /// where a file system has none, in one beside the target, which the destructor removes.
 class NewFile {
  public:
-  /// Stands at `path`; a symbolic link is followed. What exists keeps its mode. @throws InputError
-  /// naming the path and the system's reason: no such directory, no permission, a directory, no
-  /// regular file.
+  /// Makes a file for `path`; a symbolic link is followed. What exists keeps its mode.
+  /// @throws InputError naming the path and the system's reason: no such directory, no permission,
+  /// a directory, no regular file.
   explicit NewFile(const std::string& path);
   ~NewFile();
   NewFile(const NewFile&) = delete;
@@ -49,7 +49,7 @@ class NewFile {
   void write_all(std::span<const char> bytes);
   /// Replaces what exists: fsync, rename, fsync of the directory. @throws InputError as write_all.
   void become_target();
-  /// As become_target, but what exists is left alone. @return false if it exists.
+  /// Works as become_target, but what exists is left alone. @return false if it exists.
   bool become_new_target();
 
  private:

@@ -1,27 +1,20 @@
-// Makes foreign text safe for a terminal or a log. UTF-8 is decoded here, because bytes that are
-// none have to be shown one by one.
+// Makes foreign text safe for a terminal or a log. Boost decodes UTF-8, one character at a time,
+// because bytes that are none have to be shown one by one.
 #include "ar3d/base/printable.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/locale/utf.hpp>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 namespace ar3d {
 namespace {
 
 std::uint32_t byte_at(std::string_view text, std::size_t i) {
   return static_cast<unsigned char>(text[i]);
-}
-
-/// Bytes that a UTF-8 character with this first byte has; 0 if none begins so.
-std::size_t length_of(std::uint32_t first) {
-  if (first < 0x80) return 1;
-  if (first >= 0xc2 && first < 0xe0) return 2;
-  if (first >= 0xe0 && first < 0xf0) return 3;
-  return first >= 0xf0 && first < 0xf5 ? 4 : 0;
 }
 
 bool is_printable(std::uint32_t c) {
@@ -37,42 +30,16 @@ struct Character {
 };
 
 Character character_at(std::string_view text, std::size_t i) {
-  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};  // shorter forms are no UTF-8
-  constexpr std::uint32_t kFirstBits[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
-  const std::size_t length = length_of(byte_at(text, i));
-  if (length == 0 || length > text.size() - i) return {};
-  std::uint32_t c = byte_at(text, i) & kFirstBits[length];
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte_at(text, i + k) & 0xc0) != 0x80) return {};
-    c = c << 6 | (byte_at(text, i + k) & 0x3f);
-  }
-  const bool is_surrogate = c >= 0xd800 && c < 0xe000;
-  if (c < kLeast[length] || is_surrogate || c > 0x10ffff) return {};
-  return {c, length};
+  auto at = text.begin() + static_cast<std::ptrdiff_t>(i);
+  const auto begin = at;
+  const std::uint32_t code = boost::locale::utf::utf_traits<char>::decode(at, text.end());
+  if (!boost::locale::utf::is_valid_codepoint(code)) return {};
+  return {code, static_cast<std::size_t>(at - begin)};
 }
 
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
          std::string_view("_-.=+:/,").find(c) != std::string_view::npos;
-}
-
-// Eight characters at once, the last eight once more: the top bit of each says that it is none of
-// ASCII, is 127, or is below 32. No carry leaves its character but that of 255, which is none.
-bool is_plain_ascii(std::string_view text) {
-  constexpr std::uint64_t kOnes = 0x0101010101010101;
-  constexpr std::uint64_t kTops = kOnes * 128;
-  constexpr std::size_t kEight = sizeof(kOnes);
-  if (text.size() < kEight)
-    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
-  std::uint64_t bad = 0;
-  const auto look_at = [&](std::size_t i) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, text.data() + i, kEight);
-    bad |= word | (word + kOnes) | ~((word | kTops) - kOnes * 32);
-  };
-  for (std::size_t i = 0; i + kEight < text.size(); i += kEight) look_at(i);
-  look_at(text.size() - kEight);
-  return (bad & kTops) == 0;
 }
 
 }  // namespace
@@ -111,19 +78,25 @@ std::string one_line(std::string_view text) {
 
 std::string shell_word(std::string_view word) {
   if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
-  std::string quoted = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "'";
+  return "'" + boost::algorithm::replace_all_copy(std::string(word), "'", "'\\''") + "'";
 }
 
 bool all_printable(std::string_view text) {
-  return is_plain_ascii(text) || printable(text) == text;
+  unsigned others = 0;  // than printable ASCII; without a branch, so that many are seen at once
+#pragma omp simd reduction(| : others)
+  for (std::size_t i = 0; i < text.size(); ++i) others |= text[i] < ' ' || text[i] > '~';
+  return others == 0 || printable(text) == text;
+}
+
+std::string printable_lines(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\n\t"), text.size());
+    result += printable(text.substr(0, end));
+    if (end < text.size()) result += text[end];
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return result;
 }
 
 }  // namespace ar3d

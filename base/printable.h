@@ -14,8 +14,12 @@ std::string printable(std::string_view text);
 /// Returns the text with every byte that is no part of UTF-8 replaced by U+FFFD.
 std::string valid_utf8(std::string_view text);
 
-/// Valid UTF-8 on one line: control characters (escape sequences of terminals too) become spaces.
+/// Returns valid UTF-8 on one line: control characters (escape sequences of terminals too) become
+/// spaces.
 std::string one_line(std::string_view text);
+
+/// Makes several lines safe for a terminal as printable() does; ends of lines and tabulators stay.
+std::string printable_lines(std::string_view text);
 
 /// Gives true if printable() changes nothing, as columns of text hold it. O(length); ASCII is fast.
 bool all_printable(std::string_view text);

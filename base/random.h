@@ -6,6 +6,20 @@
 
 namespace ar3d {
 
+/// Returns a number that is uniform in [0, bound), bound >= 1 (Lemire's method with rejection).
+/// @param next32  the next number of a stream.
+template <class Next>
+std::uint32_t uniform_below(std::uint32_t bound, const Next& next32) {
+  std::uint64_t product = std::uint64_t{next32()} * bound;
+  if (static_cast<std::uint32_t>(product) < bound) {
+    const std::uint32_t threshold = (0u - bound) % bound;
+    while (static_cast<std::uint32_t>(product) < threshold) {
+      product = std::uint64_t{next32()} * bound;
+    }
+  }
+  return static_cast<std::uint32_t>(product >> 32);
+}
+
 /// Represents a counter-based random stream (Philox 4x32-10): the numbers are a pure function of
 /// (seed, stream, position), equal on every platform, compiler and thread count. Give every
 /// independent use its own stream number.
@@ -22,16 +36,8 @@ class RandomStream {
     const std::uint64_t low = next32();
     return low | (static_cast<std::uint64_t>(next32()) << 32);
   }
-  /// Returns a number that is uniform in [0, bound), bound >= 1 (Lemire's method with rejection).
   std::uint32_t below(std::uint32_t bound) {
-    std::uint64_t product = static_cast<std::uint64_t>(next32()) * bound;
-    if (static_cast<std::uint32_t>(product) < bound) {
-      const std::uint32_t threshold = (0u - bound) % bound;
-      while (static_cast<std::uint32_t>(product) < threshold) {
-        product = static_cast<std::uint64_t>(next32()) * bound;
-      }
-    }
-    return static_cast<std::uint32_t>(product >> 32);
+    return uniform_below(bound, [this] { return next32(); });
   }
   /// Returns a number that is uniform in [0, bound), bound >= 1.
   std::uint64_t below64(std::uint64_t bound);

@@ -7,11 +7,9 @@
 #include <string_view>
 #include <utility>
 
-namespace ar3d {
+#include "ar3d/base/printable.h"
 
-/// Several lines as they may stand on a terminal: as printable() makes them, but ends of lines and
-/// tabulators stay.
-std::string printable_lines(std::string_view text);
+namespace ar3d {
 
 /// Writes what people read, whoever wrote the values: no escape sequence of theirs reaches the
 /// terminal. Everything that a verb says goes through here; what is data for programs (drawings,

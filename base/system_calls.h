@@ -25,7 +25,7 @@ std::size_t write_whole(int descriptor, std::span<const char> bytes);
 std::size_t write_whole(int descriptor, std::span<const char> bytes, std::uint64_t offset);
 std::size_t read_whole(int descriptor, std::span<char> bytes, std::uint64_t offset);
 
-/// The same through a socket. False if the other side is gone.
+/// Does the same through a socket. @return false if the other side is gone.
 bool send_all(int socket, std::span<const char> bytes);
 bool receive_all(int socket, std::span<char> bytes);
 
@@ -47,8 +47,8 @@ struct ChildSetup {
   int death_signal = SIGKILL;  ///< it comes when the thread that started the child ends
 };
 
-/// Is a child process in a process group of its own, without a core file. It ends with this object,
-/// and so does all that it has started, unless that has left the group. To be used by one thread.
+/// Represents a child process in a process group of its own, without a core file. It ends with this
+/// object, and so does all that it has started, unless that has left the group. To be used by one thread.
 class Child {
  public:
   Child() = default;
@@ -87,7 +87,8 @@ class Child {
   Descriptor socket_;
 };
 
-/// The end to read from and the end to write to. @throws InputError if there is no descriptor left.
+/// Makes a pipe. @return the end to read from and the end to write to. @throws InputError if there
+/// is no descriptor left.
 std::pair<Descriptor, Descriptor> new_pipe();
 
 }  // namespace ar3d

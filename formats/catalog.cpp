@@ -2,11 +2,6 @@
 // too often.
 #include "ar3d/formats/catalog.h"
 
-#include <fmt/ranges.h>
-
-#include "ar3d/base/error.h"
-#include "ar3d/base/nearest_name.h"
-
 namespace ar3d {
 
 // The rows of the catalogue, each defined in graphs/, in the file of its format.
@@ -83,12 +78,7 @@ const std::vector<GraphFormat>& graph_formats() {
 }
 
 const GraphFormat& find_graph_format(std::string_view name) {
-  for (const GraphFormat& format : graph_formats()) {
-    if (format.name == name) return format;
-  }
-  const auto known = names_of(graph_formats());
-  throw InputError(fmt::format("unknown graph format '{}', known: {}{}", name,
-                               fmt::join(known, ", "), did_you_mean(name, known)));
+  return format_called(name, graph_formats(), "graph");
 }
 
 bool is_named_edge_list(const std::string& name) {
@@ -119,16 +109,7 @@ const GraphFormat& graph_format_to_write(std::string_view name, const std::strin
   if (!name.empty()) return find_graph_format(name);
   const std::string ending = path == "-" ? "" : path_ending(path);
   if (ending.empty()) return find_graph_format("sparse6");
-  std::vector<std::string> known;
-  for (const GraphFormat& format : graph_formats()) {
-    for (const std::string& extension : format.extensions) {
-      if (extension == ending) return format;
-      known.push_back(extension);
-    }
-  }
-  throw InputError(fmt::format(
-      "{}: '{}' is no graph format's ending (known: {}); --format says which one is meant", path,
-      ending, fmt::join(known, " ")));
+  return format_of_ending(ending, path, graph_formats(), "graph");
 }
 
 GraphReader::GraphReader(const std::string& path, const ReadOptions& options)

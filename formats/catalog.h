@@ -1,14 +1,45 @@
 #pragma once
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
 #include "ar3d/formats/graphs/graph_format.h"
 
 namespace ar3d {
+
+/// Returns the format of a catalogue, of graphs or of drawings as `kind` says, that has the name.
+/// @throws InputError naming the unknown format and the known ones.
+template <class Format>
+const Format& format_called(std::string_view name, const std::vector<Format>& formats,
+                            std::string_view kind) {
+  const auto found = std::ranges::find(formats, name, &Format::name);
+  if (found != formats.end()) return *found;
+  const auto known = names_of(formats);
+  throw InputError(fmt::format("unknown {} format '{}', known: {}{}", kind, name,
+                               fmt::join(known, ", "), did_you_mean(name, known)));
+}
+
+/// Returns the one with that ending. @throws InputError naming the path, whose ending is none's.
+template <class Format>
+const Format& format_of_ending(const std::string& ending, const std::string& path,
+                               const std::vector<Format>& formats, std::string_view kind) {
+  std::vector<std::string> known;
+  for (const Format& format : formats) {
+    if (std::ranges::count(format.extensions, ending) > 0) return format;
+    known.insert(known.end(), format.extensions.begin(), format.extensions.end());
+  }
+  throw InputError(
+      fmt::format("{}: '{}' is no {} format's ending (known: {}); --format says which one is meant",
+                  path, ending, kind, fmt::join(known, " ")));
+}
 
 /// All graph formats, in the order in which detection asks them.
 const std::vector<GraphFormat>& graph_formats();

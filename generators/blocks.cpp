@@ -2,12 +2,9 @@
 // special case of some drawer, as its comment in the header says.
 #include "ar3d/generators/blocks.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <bit>
 
-#include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
 #include "ar3d/generators/rings.h"
 #include "ar3d/generators/trees.h"
@@ -46,13 +43,10 @@ Graph octahedron_graph() {
   return builder.finish();
 }
 
-Graph kneser_graph(unsigned n, unsigned k) {
-  if (k < 1 || 2 * k > n || n > 20) {
-    throw InputError(fmt::format("Kneser graph K({}, {}): need 1 <= k and 2k <= n <= 20", n, k));
-  }
+Graph odd_graph(unsigned k) {
   std::vector<std::uint32_t> sets;
-  for (std::uint32_t set = 0; set < (1u << n); ++set) {
-    if (static_cast<unsigned>(std::popcount(set)) == k) sets.push_back(set);
+  for (std::uint32_t set = 0; set < (1u << (2 * k - 1)); ++set) {
+    if (std::popcount(set) + 1 == static_cast<int>(k)) sets.push_back(set);
   }
   GraphBuilder builder(sets.size());
   for (Count v = 1; v < sets.size(); ++v) {
@@ -62,8 +56,6 @@ Graph kneser_graph(unsigned n, unsigned k) {
   }
   return builder.finish();
 }
-
-Graph odd_graph(unsigned k) { return kneser_graph(2 * k - 1, k - 1); }
 
 namespace {
 

@@ -16,13 +16,9 @@ Graph complete_bipartite(Count a, Count b);
 /// The octahedron K_{2,2,2}: 4-regular on 6 vertices; opposite corners sum to 5.
 Graph octahedron_graph();
 
-/// The Kneser graph K(n, k): the k-subsets of n things in order of their bit masks, joined if
-/// disjoint. Of degree (n - k choose k). K(5, 2) is the Petersen graph. @throws InputError unless 1
-/// <= k and 2k <= n <= 20.
-Graph kneser_graph(unsigned n, unsigned k);
-
-/// The odd graph O_k = K(2k - 1, k - 1), k-regular: O_2 a triangle, O_3 the Petersen graph, O_4
-/// 4-regular on 35 vertices. k in 2..4.
+/// The odd graph O_k, k-regular: the (k - 1)-subsets of 2k - 1 things in order of their bit masks,
+/// joined if disjoint (Kneser). O_2 is a triangle, O_3 the Petersen graph, O_4 4-regular on 35
+/// vertices. k in 2..4.
 Graph odd_graph(unsigned k);
 
 /// A chain of `links` diamonds (K4 without an edge) between two 5-vertex leaf blocks, joined by

@@ -57,25 +57,13 @@ Graph chvatal_graph() {
 Graph robertson_graph() {
   GraphBuilder builder(19, 38);
   builder.cycle(0, 19);
-  builder.edges(std::vector<Edge>{{0, 4},
-                                  {4, 9},
-                                  {9, 13},
-                                  {13, 17},
-                                  {17, 2},
-                                  {2, 6},
-                                  {6, 10},
-                                  {10, 15},
-                                  {15, 0},
-                                  {1, 8},
-                                  {8, 16},
-                                  {16, 5},
-                                  {5, 12},
-                                  {12, 1},
-                                  {7, 18},
-                                  {18, 11},
-                                  {11, 3},
-                                  {3, 14},
-                                  {14, 7}});
+  const std::vector<std::vector<Vertex>> chords = {
+      {0, 4, 9, 13, 17, 2, 6, 10, 15}, {1, 8, 16, 5, 12}, {7, 18, 11, 3, 14}};
+  for (const std::vector<Vertex>& around : chords) {
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      builder.edge(around[i], around[(i + 1) % around.size()]);
+    }
+  }
   return builder.finish();
 }
 

@@ -7,10 +7,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/graph/biconnected_components.hpp>
 #include <numeric>
 
 #include "ar3d/base/error.h"
 #include "ar3d/generators/switching.h"
+#include "ar3d/model/boost_graph.h"
 
 namespace ar3d {
 namespace {
@@ -45,36 +47,13 @@ std::vector<Edge> try_bipartite(std::vector<std::uint32_t>& points, RandomStream
   return edges;
 }
 
-/// Connected and without bridges: depth-first search with low points (Tarjan 1974), without
-/// recursion.
+/// Connected and without bridges: no biconnected component is a single edge.
 bool two_edge_connected(const Graph& graph) {
-  const Vertex n = graph.num_vertices();
-  std::vector<std::uint32_t> order(n, 0);  // 0: not seen
-  std::vector<std::uint32_t> low(n, 0);
-  std::vector<std::uint32_t> next(n, 0);
-  std::vector<EdgeId> by(n, graph.num_edges());
-  std::vector<Vertex> stack = {0};
-  std::uint32_t seen = 1;
-  order[0] = low[0] = 1;
-  while (!stack.empty()) {
-    const Vertex v = stack.back();
-    if (next[v] < graph.degree(v)) {
-      const HalfEdge half = graph.incident(v)[next[v]++];
-      if (order[half.to] == 0) {
-        order[half.to] = low[half.to] = ++seen;
-        by[half.to] = half.edge;
-        stack.push_back(half.to);
-      } else if (half.edge != by[v]) {
-        low[v] = std::min(low[v], order[half.to]);
-      }
-      continue;
-    }
-    stack.pop_back();
-    if (stack.empty()) break;
-    if (low[v] == order[v]) return false;  // the edge to v's parent is a bridge
-    low[stack.back()] = std::min(low[stack.back()], low[v]);
-  }
-  return seen == n;
+  std::vector<std::size_t> component(graph.num_edges());
+  const auto of_edge = boost::make_iterator_property_map(component.begin(), EdgeIndexMap());
+  std::vector<std::uint32_t> sizes(boost::biconnected_components(graph, of_edge));
+  for (const std::size_t c : component) ++sizes[c];
+  return connected_components_of(graph).count == 1 && std::ranges::count(sizes, 1u) == 0;
 }
 
 std::vector<Edge> random_bridgeless_cubic(Count n, RandomStream& random) {

@@ -188,11 +188,8 @@ Drawing with_stored_positions(const Drawing& drawing) {
 }
 
 Drawing with_stored_bends(const Drawing& drawing) {
-  std::size_t count = 0;
-  for_each_polyline(drawing,
-                    [&](EdgeId, const std::vector<Point>& points) { count += points.size() - 2; });
   auto bends = std::make_shared<StoredBends>();
-  bends->reserve(drawing.num_edges(), count);
+  bends->reserve(drawing.num_edges(), count_bends(drawing));
   std::vector<Point> between;
   for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
     between.assign(points.begin() + 1, points.end() - 1);

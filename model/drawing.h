@@ -213,6 +213,14 @@ void for_each_polyline(const Drawing& drawing, Visit&& visit) {
   for_each_polyline(drawing, 0, drawing.num_edges(), visit);
 }
 
+/// The number of all bends; O(n + bends) time.
+inline std::uint64_t count_bends(const Drawing& drawing) {
+  std::uint64_t bends = 0;
+  for_each_polyline(drawing,
+                    [&](EdgeId, const std::vector<Point>& points) { bends += points.size() - 2; });
+  return bends;
+}
+
 /// A box that grows: of the points added so far.
 class GrowingBox {
  public:

@@ -8,6 +8,7 @@
 #include <bit>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/parallel.h"
 
 namespace ar3d::diamond {
 namespace {
@@ -56,14 +57,21 @@ void walk_chains(const PaddedNeighbours& neighbours, Partner partner, Visit visi
 
 }  // namespace
 
-PaddedNeighbours padded_neighbours(const Graph& graph) {
+PaddedNeighbours padded_neighbours(const Graph& graph, std::uint32_t threads) {
   expect(graph.max_degree() <= 4, "four entries are for maximum degree 4");
-  PaddedNeighbours neighbours(graph.num_vertices(), {kNone, kNone, kNone, kNone});
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    const auto row = graph.incident(v);
-    std::transform(row.begin(), row.end(), neighbours[v].begin(),
-                   [](const HalfEdge& h) { return h.to; });
-  }
+  PaddedNeighbours neighbours(graph.num_vertices());
+  for_ranges_in_threads(threads, graph.num_vertices(),
+                        [&](std::uint32_t, std::size_t begin, std::size_t end) {
+                          for (auto v = static_cast<Vertex>(begin); v < end; ++v) {
+                            const auto row = graph.incident(v);
+                            if (row.size() == 4) {
+                              neighbours[v] = {row[0].to, row[1].to, row[2].to, row[3].to};
+                              continue;
+                            }
+                            neighbours[v].fill(kNone);
+                            std::ranges::transform(row, neighbours[v].begin(), &HalfEdge::to);
+                          }
+                        });
   return neighbours;
 }
 

@@ -16,8 +16,8 @@ inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max()
 
 /// The neighbours of every vertex in the order of incident(v), padded with kNone: a step of a walk
 /// reads one record of 16 bytes. Entry i of v is its i-th neighbour.
-using PaddedNeighbours = std::vector<std::array<Vertex, 4>>;
-PaddedNeighbours padded_neighbours(const Graph& graph);
+using PaddedNeighbours = UnwrittenVector<std::array<Vertex, 4>>;
+PaddedNeighbours padded_neighbours(const Graph& graph, std::uint32_t threads = 1);
 
 /// An orientation of the edges with in- and out-degree at most 2 everywhere, by vertex as bits: bit
 /// i of `out` or of `in` is set if the edge to entry i leaves or enters the vertex.

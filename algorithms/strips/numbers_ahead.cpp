@@ -84,15 +84,4 @@ void NumbersAhead::make_more() {
   made_at_once_ = std::min(2 * made_at_once_, kMostMade);
 }
 
-std::uint32_t NumbersAhead::below(std::uint32_t bound) {
-  std::uint64_t product = std::uint64_t{next32()} * bound;
-  if (static_cast<std::uint32_t>(product) < bound) {
-    const std::uint32_t threshold = (0u - bound) % bound;
-    while (static_cast<std::uint32_t>(product) < threshold) {
-      product = std::uint64_t{next32()} * bound;
-    }
-  }
-  return static_cast<std::uint32_t>(product >> 32);
-}
-
 }  // namespace ar3d::strips

@@ -30,7 +30,9 @@ class NumbersAhead {
     return number;
   }
   /// RandomStream::below.
-  std::uint32_t below(std::uint32_t bound);
+  std::uint32_t below(std::uint32_t bound) {
+    return uniform_below(bound, [this] { return next32(); });
+  }
 
  private:
   static constexpr std::size_t kNumbersPerBlock = 4;

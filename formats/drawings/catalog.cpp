@@ -1,10 +1,6 @@
 // The table of drawing formats. Pages need more than formats/ may include: the program adds them.
 #include "ar3d/formats/drawings/catalog.h"
 
-#include <fmt/ranges.h>
-
-#include "ar3d/base/error.h"
-#include "ar3d/base/nearest_name.h"
 #include "ar3d/base/open_table.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_exports.h"
@@ -55,20 +51,9 @@ auto one_text(std::string_view format, Make make) {
   };
 }
 
-const DrawingFormat& format_of_path(const std::string& path) {
-  const std::string ending = path_ending(path);
-  if (ending.empty()) return drawing_formats().front();
-  std::vector<std::string> known;
-  for (const DrawingFormat& format : drawing_formats()) {
-    for (const std::string& extension : format.extensions) {
-      if (extension == ending) return format;
-      known.push_back(extension);
-    }
-  }
-  throw InputError(
-      fmt::format("{}: '{}' is no drawing format's ending (known: {}); --format says "
-                  "which one is meant",
-                  path, ending, fmt::join(known, " ")));
+template <std::string (*make)(const Drawing&, const PictureView&)>
+void write_picture(OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
+  file.append(make(drawing, options.view));
 }
 
 std::vector<DrawingFormat> catalogue() {
@@ -82,18 +67,12 @@ std::vector<DrawingFormat> catalogue() {
        {".svg"},
        "a picture of a small drawing: roles as colours, gaps where edges pass behind others",
        false,
-       one_text("svg",
-                [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
-                  file.append(drawing_to_svg(drawing, options.view));
-                })},
+       one_text("svg", write_picture<drawing_to_svg>)},
       {"tikz",
        {".tex", ".tikz"},
        "the same picture for LaTeX: roles as named colours",
        false,
-       one_text("tikz",
-                [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
-                  file.append(drawing_to_tikz(drawing, options.view));
-                })},
+       one_text("tikz", write_picture<drawing_to_tikz>)},
       {"vtp",
        {".vtp"},
        "VTK, for ParaView: numbers, roles, colours, exact lattice coordinates; lattice units",
@@ -150,13 +129,10 @@ void write_drawing(const DrawingFormat& format, Drawing drawing, const std::stri
 }
 
 const DrawingFormat& drawing_format(std::string_view name, const std::string& path) {
-  if (name.empty()) return path == "-" ? drawing_formats().front() : format_of_path(path);
-  for (const DrawingFormat& format : drawing_formats()) {
-    if (format.name == name) return format;
-  }
-  const auto known = names_of(drawing_formats());
-  throw InputError(fmt::format("unknown drawing format '{}', known: {}{}", name,
-                               fmt::join(known, ", "), did_you_mean(name, known)));
+  if (!name.empty()) return format_called(name, drawing_formats(), "drawing");
+  const std::string ending = path == "-" ? "" : path_ending(path);
+  if (ending.empty()) return drawing_formats().front();
+  return format_of_ending(ending, path, drawing_formats(), "drawing");
 }
 
 }  // namespace ar3d

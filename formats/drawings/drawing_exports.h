@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -53,26 +54,16 @@ void write_graphml(OutputFile& output, const Drawing& drawing);
 
 /// Foreign text as text of XML.
 inline std::string xml_text(std::string_view text) {
-  std::string out;
-  for (const char c : printable(text)) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else {
-      out += c;
-    }
-  }
+  std::string out = printable(text);
+  boost::algorithm::replace_all(out, "&", "&amp;");
+  boost::algorithm::replace_all(out, "<", "&lt;");
+  boost::algorithm::replace_all(out, ">", "&gt;");
   return out;
 }
 
 /// @return the number of vertices and bends. @throws InputError if it passes kMaxExportPoints.
 inline std::uint64_t count_export_points(const Drawing& drawing, std::string_view format) {
-  std::uint64_t count = drawing.num_vertices();
-  for_each_polyline(drawing,
-                    [&](EdgeId, const std::vector<Point>& points) { count += points.size() - 2; });
+  const std::uint64_t count = drawing.num_vertices() + count_bends(drawing);
   if (count > kMaxExportPoints) {
     throw InputError(
         fmt::format("{} vertices and bends, {} holds at most {}", count, format, kMaxExportPoints));

@@ -10,7 +10,6 @@
 #include <variant>
 #include <vector>
 
-#include "ar3d/formats/drawings/drawing_numbers.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/formats/text/text_input.h"
 #include "ar3d/model/drawing.h"
@@ -68,6 +67,26 @@ class DrawingJsonlReader {
  private:
   std::unique_ptr<TextInput> input_;
 };
+
+/// digits * 10^exponent, the digits without trailing zeros; 0 is 0 * 10^0.
+struct Decimal {
+  std::int64_t digits = 0;
+  int exponent = 0;
+};
+
+/// Reads a number as JSON writes it, exactly.
+/// @throws InputError naming it if it has more than 18 significant digits or an exponent beyond
+/// 1000.
+Decimal parse_decimal(const std::string& text);
+
+/// The number in units of 10^unit. @pre unit <= number.exponent, unless it is 0.
+/// @throws InputError if that passes kMaxCoordinate.
+std::int64_t scaled(const Decimal& number, int unit);
+
+/// @throws InputError if the type is none of float, double, binary80, binary128 and reference,
+/// or naming the first vertex, else the first bend in order of edges, with a coordinate that needs
+/// more significant bits than the type has (24, 53, 64, 113, 237).
+void require_values_of_type(const RealPoints& points);
 
 using DecimalPoint = std::array<Decimal, 3>;
 

@@ -1,14 +1,13 @@
 // The numbers of drawings that are no integers of 64 bits: decimals of programs, and values of real
 // types.
-#include "ar3d/formats/drawings/drawing_numbers.h"
-
 #include <fmt/format.h>
 
 #include <cstdlib>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/formats/text/text_input.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/model/real_points.h"
 
 namespace ar3d {
 namespace {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -50,26 +51,10 @@ Json verdict_json(const PageVerdict& verdict) {
           {"violations", list}};
 }
 
-std::uint64_t count_bends(const Drawing& drawing) {
-  std::uint64_t bends = 0;
-  for_each_polyline(drawing,
-                    [&](EdgeId, const std::vector<Point>& points) { bends += points.size() - 2; });
-  return bends;
-}
-
 /// Nothing in the text ends a script element that holds it.
 std::string data_text(const Json& value) {
-  const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
+  return boost::algorithm::replace_all_copy(
+      value.dump(-1, ' ', true, Json::error_handler_t::replace), "<", "\\u003c");
 }
 
 }  // namespace

@@ -1,11 +1,8 @@
-// Matches the two ends of every edge without looking anything up: both lists of arcs are sorted by
-// counting and then read in step.
+// Matches the two ends of every edge without looking anything up: both lists of arcs are sorted,
+// as they nearly always come, and then read in step.
 #include "ar3d/formats/graphs/arc_collector.h"
 
-#include <numeric>
-#include <tuple>
-
-#include "ar3d/model/canonical_edges.h"
+#include <utility>
 
 namespace ar3d {
 namespace {
@@ -15,43 +12,10 @@ std::uint64_t number_of(const Arc& arc) {
   return (std::uint64_t{arc.small} << 32) | arc.large;
 }
 
-/// Sorts arcs by the end `key`, those with the same end in the order given (counting sort).
-template <class Arcs, class End>
-void group_by(std::uint64_t n, Arcs& arcs, End key) {
-  constexpr std::size_t kAhead = 16;  // arcs; hides the way to memory
-  UnwrittenVector<std::uint32_t> place(n + 1);
-  std::fill(place.begin(), place.end(), 0u);
-  for (const auto& arc : arcs) ++place[arc.*key + 1];
-  std::partial_sum(place.begin(), place.end(), place.begin());
-  Arcs result(arcs.size());
-  for (std::size_t i = 0; i < arcs.size(); ++i) {
-    if (i + 2 * kAhead < arcs.size()) {
-      __builtin_prefetch(&place[arcs[i + 2 * kAhead].*key], 1);
-      __builtin_prefetch(result.data() + place[arcs[i + kAhead].*key], 1);
-    }
-    result[place[arcs[i].*key]++] = arcs[i];
-  }
-  arcs.swap(result);
-}
-
-/// Sorts arcs by the end `key`, then by `before`, which compares arcs with the same such end.
-template <class Arcs, class End, class Before>
-void sort_by(std::uint64_t n, Arcs& arcs, End key, Before before) {
-  const auto by_key = [key](const auto& a, const auto& b) { return a.*key < b.*key; };
-  const bool countable = arcs.size() <= std::numeric_limits<std::uint32_t>::max();
-  if (!std::is_sorted(arcs.begin(), arcs.end(), by_key)) {
-    if (n <= 8 * arcs.size() && countable) {
-      group_by(n, arcs, key);
-    } else {  // counting would cost more
-      std::stable_sort(arcs.begin(), arcs.end(), by_key);
-    }
-  }
-  for (auto row = arcs.begin(); row != arcs.end();) {
-    auto end = row;
-    while (end != arcs.end() && (*end).*key == (*row).*key) ++end;
-    sort_row(row, end, before);
-    row = end;
-  }
+/// Sorts arcs by a key, those with the same one in the order given. Most texts are sorted already.
+template <class Arcs, class Key>
+void sort_by(Arcs& arcs, Key key) {
+  if (!std::ranges::is_sorted(arcs, {}, key)) std::ranges::stable_sort(arcs, {}, key);
 }
 
 }  // namespace
@@ -71,13 +35,6 @@ void ArcCollector::fail(const Arc& arc, bool backward, const char* problem) cons
   input_->fail_at(arc.line, 0, fmt::format("({}, {}) {}", from, to, problem));
 }
 
-/// By smaller end, then larger, then line.
-void ArcCollector::sort_from_one_end(std::uint64_t n, Arcs& arcs) {
-  sort_by(n, arcs, &Arc::small, [](const Arc& a, const Arc& b) {
-    return std::tie(a.large, a.line) < std::tie(b.large, b.line);
-  });
-}
-
 void ArcCollector::refuse_repeats(const Arcs& arcs) const {
   for (std::size_t i = 1; i < arcs.size(); ++i) {
     if (number_of(arcs[i - 1]) == number_of(arcs[i]))
@@ -95,8 +52,8 @@ void ArcCollector::drop_repeats(Arcs& arcs) {
 /// read like the beginnings of the rows: nothing is looked up.
 std::optional<Graph> ArcCollector::matched(std::uint64_t n) {
   if (forward_.size() != backward_.size()) return std::nullopt;
-  sort_from_one_end(n, forward_);
-  sort_by(n, backward_, &Arc::large, [](const Arc& a, const Arc& b) { return a.small < b.small; });
+  sort_by(forward_, number_of<Arc>);
+  sort_by(backward_, [](const Arc& arc) { return std::pair(arc.large, arc.small); });
   std::vector<Edge> edges;
   edges.reserve(forward_.size());
   for (std::size_t i = 0; i < forward_.size(); ++i) {
@@ -143,7 +100,7 @@ Graph ArcCollector::finish(std::uint64_t n) {
     return std::move(*graph);
   }
   for (Arcs* const arcs : {&forward_, &backward_}) {
-    sort_from_one_end(n, *arcs);
+    sort_by(*arcs, [](const Arc& arc) { return std::pair(number_of(arc), arc.line); });
     if (simplify_) {
       drop_repeats(*arcs);
     } else {

@@ -44,8 +44,8 @@ class ArcCollector {
   /// Ends the graph on n vertices (all ids are below n); its edges (u, v), u < v, are ordered by
   /// (u, v).
   /// @throws InputError on a neighbour named twice from the same end unless simplifies(), or
-  /// against the rule. Cost: O(n + m), and O(m log D) for the largest degree D if the rows are not
-  /// sorted; arcs that come from both ends, by the vertex that names them, are read in order only.
+  /// against the rule. Cost: O(n + m), and O(m log m) if the rows are not sorted; arcs that come
+  /// from both ends, by the vertex that names them, are read in order only.
   Graph finish(std::uint64_t n);
 
  private:
@@ -56,7 +56,6 @@ class ArcCollector {
   };
   using Arcs = UnwrittenVector<Arc>;
   std::optional<Graph> matched(std::uint64_t n);
-  static void sort_from_one_end(std::uint64_t n, Arcs& arcs);
   void refuse_repeats(const Arcs& arcs) const;
   static void drop_repeats(Arcs& arcs);
   std::vector<Edge> merged();

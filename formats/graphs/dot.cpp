@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <string>
 
 #include "ar3d/formats/graphs/word_text.h"
@@ -13,12 +14,6 @@ namespace ar3d {
 namespace {
 
 constexpr std::size_t kDeepest = 200;  // subgraphs in subgraphs
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return text;
-}
 
 class DotParser final : public GraphParser {
  public:
@@ -46,7 +41,8 @@ class DotParser final : public GraphParser {
 
  private:
   bool is_keyword(std::string_view keyword) {
-    return words_.peek().kind == TextWord::Kind::plain && lower(words_.peek().text) == keyword;
+    return words_.peek().kind == TextWord::Kind::plain &&
+           boost::algorithm::iequals(words_.peek().text, keyword);
   }
   [[noreturn]] void fail(const std::string& problem) {
     words_.fail(words_.peek().at, fmt::format("{} {}", problem, shown(words_.peek().text)));
@@ -175,8 +171,9 @@ bool looks_like_dot(const InputHead& head) {
   std::string_view text = head.text;
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (text.starts_with("//") || text.starts_with("/*")) return true;
-  const std::string word = lower(std::string(text.substr(0, text.find_first_of(" \t\r\n{\""))));
-  return word == "graph" || word == "digraph" || word == "strict";
+  const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n{\""));
+  using boost::algorithm::iequals;
+  return iequals(word, "graph") || iequals(word, "digraph") || iequals(word, "strict");
 }
 
 }  // namespace

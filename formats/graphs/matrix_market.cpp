@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 
 #include "ar3d/formats/graphs/arc_collector.h"
 #include "ar3d/formats/graphs/edge_collector.h"
@@ -13,17 +14,11 @@
 namespace ar3d {
 namespace {
 
+using boost::algorithm::iequals;
+
 constexpr std::string_view kBanner = "%%MatrixMarket";
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
-}
-
-bool is_banner(std::string_view line) {
-  return lower_case(line.substr(0, kBanner.size())) == lower_case(kBanner);
-}
+bool is_banner(std::string_view line) { return boost::algorithm::istarts_with(line, kBanner); }
 
 class MatrixMarketParser final : public GraphParser {
  public:
@@ -54,31 +49,28 @@ class MatrixMarketParser final : public GraphParser {
     tokens.word();
     for (const std::string_view wanted : {"matrix", "coordinate", "pattern"}) {
       const std::string_view word = tokens.word();
-      if (lower_case(word) != wanted) {
+      if (!iequals(word, wanted)) {
         tokens.fail(fmt::format("only '{}' is supported here, found {}", wanted, shown(word)));
       }
     }
     const std::string_view word = tokens.word();
-    const std::string symmetry = lower_case(word);
-    if (symmetry != "symmetric" && symmetry != "general") {
+    const bool is_symmetric = iequals(word, "symmetric");
+    if (!is_symmetric && !iequals(word, "general")) {
       tokens.fail(
           fmt::format("only 'symmetric' and 'general' are supported here, found {}", shown(word)));
     }
     tokens.expect_done("the banner");
-    return symmetry == "symmetric";
+    return is_symmetric;
   }
 
   std::string_view next_entry(std::uint64_t announced, std::uint64_t found) {
-    while (const std::optional<std::string_view> line = input_.next_line()) {
-      if (!is_blank(*line) && !is_comment(*line)) return *line;
-    }
+    if (const std::optional<std::string_view> line = next_telling_line(input_)) return *line;
     input_.fail(0, fmt::format("the text ends after {} of {} announced entries", found, announced));
   }
 
   /// Begins the graph and returns the number of entries.
   std::uint64_t read_size() {
-    std::optional<std::string_view> line = input_.next_line();
-    while (line && (is_blank(*line) || is_comment(*line))) line = input_.next_line();
+    const std::optional<std::string_view> line = next_telling_line(input_);
     if (!line) input_.fail(0, "the text ends before the line with the sizes");
     Tokens tokens(input_, *line);
     const std::uint64_t rows = tokens.number("a number of rows");

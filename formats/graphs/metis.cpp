@@ -38,8 +38,7 @@ class MetisParser final : public GraphParser {
 
  private:
   bool read_header() {
-    std::optional<std::string_view> line = input_.next_line();
-    while (line && (is_blank(*line) || is_comment(*line))) line = input_.next_line();
+    const std::optional<std::string_view> line = next_telling_line(input_);
     if (!line) return false;
     header_line_ = input_.line();
     Tokens tokens(input_, *line);

@@ -29,6 +29,12 @@ void Tokens::expect_done(const char* after_what) {
   fail(fmt::format("unexpected {} after {}", shown(text), after_what));
 }
 
+std::optional<std::string_view> next_telling_line(TextInput& input) {
+  std::optional<std::string_view> line = input.next_line();
+  while (line && (is_blank(*line) || is_comment(*line))) line = input.next_line();
+  return line;
+}
+
 std::optional<Tokens> size_header(const TextInput& input, std::string_view line) {
   if (line.empty() || (!is_comment(line) && line[0] != 'n')) return std::nullopt;
   Tokens tokens(input, line);

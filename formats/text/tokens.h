@@ -99,6 +99,9 @@ class Tokens {
   const char* word_ = line_;
 };
 
+/// The next line that is neither blank nor a comment; nothing at the end.
+std::optional<std::string_view> next_telling_line(TextInput& input);
+
 /// The words of a line "# vertices N", "% vertices N" or "n N" behind its keyword; nothing for
 /// other lines.
 std::optional<Tokens> size_header(const TextInput& input, std::string_view line);

@@ -1,6 +1,7 @@
 // One scale of effort for all algorithms.
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
+#include "ar3d/verify/certificate.h"
 #include "support/graphs.h"
 
 namespace ar3d::testing {
@@ -30,6 +31,20 @@ TEST(Effort, OutsideTheScaleIsRefusedByName) {
   }
   EXPECT_THROW(check_effort("x", 3, 2), InputError);
   EXPECT_NO_THROW(check_effort("x", 2, 2));
+}
+
+TEST(Effort, EveryOneDrawsTheSameGraphTheSameWayAndKeepsTheGuarantee) {
+  for (const Algorithm* row : proved_algorithms()) {
+    const Graph graph = row->guarantee.max_degree == 3 ? petersen() : squared_cycle(60);
+    for (std::int64_t effort = 0; effort <= row->options[0].high; ++effort) {
+      const Drawing one = draw(*row, graph, {{"effort", effort}});
+      const Drawing two = draw(*row, graph, {{"effort", effort}});
+      EXPECT_EQ(drawing_hash(one), drawing_hash(two)) << row->name << effort;
+      EXPECT_EQ(one.counters, two.counters) << row->name << effort;
+      EXPECT_EQ(one.algorithm(), row->name);
+      EXPECT_TRUE(certify(graph, one, row->guarantee).valid()) << row->name << effort;
+    }
+  }
 }
 
 }  // namespace

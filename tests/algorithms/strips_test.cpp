@@ -34,21 +34,6 @@ TEST_P(Strips, DrawCornerCasesAtEveryEffort) {
   }
 }
 
-TEST_P(Strips, RefuseLargerDegreesAndUnknownEfforts) {
-  EXPECT_THROW(algorithm().draw(complete(algorithm().max_degree() + 2), 1), InputError);
-  EXPECT_THROW(algorithm().draw(path(3), 3), InputError);
-  EXPECT_THROW(algorithm().draw(path(3), -1), InputError);
-}
-
-TEST_P(Strips, SameGraphSameDrawing) {
-  const Graph graph = regular_graph(algorithm(), 300);
-  for (const int effort : kStripEfforts) {
-    const Drawing one = algorithm().draw(graph, effort), two = algorithm().draw(graph, effort);
-    EXPECT_EQ(drawing_hash(one), drawing_hash(two));
-    EXPECT_EQ(one.counters, two.counters);
-  }
-}
-
 TEST_P(Strips, TellWhatTheyDid) {
   const Graph graph = regular_graph(algorithm(), 1000);
   const Drawing narrow = algorithm().draw(graph, 1);
@@ -98,16 +83,6 @@ TEST_P(Strips, MoreEffortMakesRandomGraphsSmaller) {
   };
   EXPECT_LT(volume(1), volume(0));
   EXPECT_LT(volume(2), volume(1));
-}
-
-TEST_P(Strips, AreInTheCatalogue) {
-  const Algorithm& row = find_algorithm(algorithm().name);
-  const Graph densest = complete(algorithm().max_degree() + 1);
-  const Drawing drawing = draw(row, densest, {{"effort", 2}});
-  EXPECT_EQ(drawing.algorithm(), algorithm().name);
-  EXPECT_TRUE(certify(densest, drawing, row.guarantee).valid());
-  EXPECT_THROW(draw(row, complete(algorithm().max_degree() + 2)), InputError);
-  EXPECT_THROW(draw(row, densest, {{"effort", 3}}), InputError);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Strips, kBothStripAlgorithms, kStripSuite);

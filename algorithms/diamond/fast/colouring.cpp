@@ -10,38 +10,21 @@ namespace {
 /// From so many vertices on many walks at a time are faster.
 constexpr Vertex kManyToColour = 1u << 12;
 
-struct Neighbourhoods {
-  Records records;
-  bool all_linked = true;  ///< all degrees are 4 or 0
-};
-
-Neighbourhoods neighbourhoods_of(const Graph& graph, std::uint32_t threads) {
-  expect(graph.max_degree() <= 4, "four entries are for maximum degree 4");
-  Neighbourhoods result{Records(graph.num_vertices()), true};
-  std::atomic<bool> all_linked{true};
+bool all_degrees_are_4_or_0(const Graph& graph, std::uint32_t threads) {
+  std::atomic<bool> all{true};
   for_ranges_in_threads(threads, graph.num_vertices(),
                         [&](std::uint32_t, std::size_t begin, std::size_t end) {
-                          bool linked = true;
+                          bool odd = false;
                           for (auto v = static_cast<Vertex>(begin); v < end; ++v) {
-                            const auto row = graph.incident(v);
-                            if (row.size() == 4) {
-                              result.records[v] = {row[0].to, row[1].to, row[2].to, row[3].to};
-                              continue;
-                            }
-                            Record record{kNone, kNone, kNone, kNone};
-                            for (std::size_t i = 0; i < row.size(); ++i) record[i] = row[i].to;
-                            result.records[v] = record;
-                            linked = linked && row.empty();
+                            odd |= graph.degree(v) % 4 != 0;
                           }
-                          if (!linked) all_linked = false;
+                          if (odd) all = false;
                         });
-  result.all_linked = all_linked;
-  return result;
+  return all;
 }
 
 /// balanced_orientation(), by pairs: enters(directions, port).
-TwoBitMarks directions_of(const Neighbourhoods& graph, const WalkSizes& sizes) {
-  const Records& records = graph.records;
+TwoBitMarks directions_of(const Records& records, bool all_linked, const WalkSizes& sizes) {
   TwoBitMarks directions(2 * records.size(), sizes.threads > 1);
   const auto write = [&](const TrailPiece& piece) {
     const auto enter = [&](PortNumber p, std::uint32_t in) {
@@ -52,7 +35,7 @@ TwoBitMarks directions_of(const Neighbourhoods& graph, const WalkSizes& sizes) {
     const std::uint32_t in = piece.backwards ? 0 : 1;
     for (std::uint32_t i = 0; i < stretch.num_kept; ++i) enter(stretch.kept[i], in);
   };
-  Trails<LinkPairs> trails(records, {}, graph.all_linked, sizes);
+  Trails<LinkPairs> trails(records, {}, all_linked, sizes);
   trails.walk_cut(write);
   trails.walk_uncut(
       [&](std::uint32_t pair, std::uint32_t end) {
@@ -74,9 +57,8 @@ std::uint32_t second_out(const TwoBitMarks& directions, Vertex v) {
 
 /// The colours of two_colouring(), by vertex: whether the edge out by first_out() is red. If there
 /// is a second edge out, it has the other colour.
-TwoBitMarks colours_of(const Neighbourhoods& graph, const TwoBitMarks& directions,
+TwoBitMarks colours_of(const Records& records, bool all_linked, const TwoBitMarks& directions,
                        const WalkSizes& sizes) {
-  const Records& records = graph.records;
   TwoBitMarks reds(records.size(), sizes.threads > 1);
   const auto write = [&](const TrailPiece& piece) {
     const auto colour = [&](PortNumber p, std::uint32_t c) {
@@ -89,7 +71,7 @@ TwoBitMarks colours_of(const Neighbourhoods& graph, const TwoBitMarks& direction
     const std::uint32_t c = piece.odd ^ leaves;
     for (std::uint32_t i = 0; i < stretch.num_kept; ++i) colour(stretch.kept[i], c);
   };
-  Trails<LinkSameDirection> trails(records, {&directions}, graph.all_linked, sizes);
+  Trails<LinkSameDirection> trails(records, {&directions}, all_linked, sizes);
   trails.walk_cut(write);
   trails.walk_uncut(
       [&](std::uint32_t v, std::uint32_t end) {
@@ -147,10 +129,11 @@ TwoColouring colouring(const Graph& graph) {
 }
 
 TwoColouring colouring(const Graph& graph, const WalkSizes& sizes) {
-  Neighbourhoods neighbourhoods = neighbourhoods_of(graph, sizes.threads);
-  const TwoBitMarks directions = directions_of(neighbourhoods, sizes);
-  const TwoBitMarks reds = colours_of(neighbourhoods, directions, sizes);
-  neighbourhoods = {};  // its memory, which the result takes
+  Records records = padded_neighbours(graph, sizes.threads);
+  const bool all_linked = all_degrees_are_4_or_0(graph, sizes.threads);
+  const TwoBitMarks directions = directions_of(records, all_linked, sizes);
+  const TwoBitMarks reds = colours_of(records, all_linked, directions, sizes);
+  records = {};  // its memory, which the result takes
   return edges_out(graph, directions, reds, sizes.threads);
 }
 

@@ -15,9 +15,9 @@
 
 namespace ar3d::diamond::fast {
 
-/// The neighbours of a vertex as PaddedNeighbours has them.
-using Record = std::array<Vertex, 4>;
-using Records = UnwrittenVector<Record>;
+/// The neighbours of all vertices, and of one of them.
+using Records = PaddedNeighbours;
+using Record = Records::value_type;
 
 /// The entry of neighbour v, which is in the record once; without a branch, since no processor
 /// foresees which entry it is.
