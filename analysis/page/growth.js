@@ -132,7 +132,7 @@ const boundsTable = rows => folded("Bounds table", rows.length <= kMostOpenRows,
   fillColumn("x"), fillColumn("y"), fillColumn("z"),
   {name: "Own bound", value: row => row.own_share, show: row => percent(row.own_share)},
   {name: "Published", value: row => row.published_share, show: row => percent(row.published_share)},
-  {name: "Worst graph", show: row => row.worst_row === null ? "\u2013" : graphButton(row.worst_row, graphText(row.worst_row, row.worst_n))},
+  {name: "Worst graph", css: "note", show: row => row.worst_row === null ? "\u2013" : graphButton(row.worst_row, graphText(row.worst_row, row.worst_n))},
 ], rows, row => ({"data-f": row.curve})));
 
 const timeLabel = growth => {

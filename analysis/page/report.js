@@ -72,7 +72,7 @@ const frontPart = () => {
   const column = (name, key) => ({name, value: row => row[key], show: row => count(row[key])});
   showSection("closeness", makeTable([{name: "Setting", show: row => element("a", {href: "#a" + row.place}, row.setting)},
     {name: "Share", value: row => row.share, show: row => percent(row.share)},
-    {name: "Closest graph", show: row => row.closest_row === null ? "\u2013" : graphButton(row.closest_row, `${row.closest_family}, ${graphText(row.closest_row, row.closest_n)}`)},
+    {name: "Closest graph", css: "note", show: row => row.closest_row === null ? "\u2013" : graphButton(row.closest_row, `${row.closest_family}, ${graphText(row.closest_row, row.closest_n)}`)},
     column("Families", "families"),
     {name: "Graphs", value: row => row.drawn, show: row => row.drawn === row.graphs ? count(row.graphs) : `${count(row.drawn)} of ${count(row.graphs)}`},
     column("Largest n", "largest_n"), {name: "Violations", value: row => row.violations, show: violations},

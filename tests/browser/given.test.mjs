@@ -6,7 +6,7 @@ import {dirname, join} from "node:path";
 import {tmpdir} from "node:os";
 import {after, before, test} from "node:test";
 import {fileURLToPath} from "node:url";
-import {complaints, launch, newPage, program, requests} from "./chromium.mjs";
+import {complaints, launch, nameless, newPage, program, requests} from "./chromium.mjs";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
 const module = "data:text/javascript," + encodeURIComponent(readFileSync(join(root, "apps/play/given.js"), "utf8"));
@@ -68,6 +68,7 @@ test("the page runs nothing but its own scripts, asks for nothing, and says so w
   assert.match(policy, /^default-src 'none'; script-src 'sha256-[^']+' 'sha256-[^']+' 'wasm-unsafe-eval'; worker-src blob:; style-src 'sha256-[^']+'; img-src data: blob:;/);
   await page.goto("file://" + made);
   await page.locator("#problem").waitFor();
+  assert.deepEqual(await nameless(page), []);
   assert.match(await page.locator("#problem").textContent(), /^The program cannot be started in this browser: /);
   assert.equal(await page.evaluate(() => {
     document.body.append(Object.assign(document.createElement("script"), {textContent: "globalThis.planted = true"}));

@@ -286,6 +286,10 @@ level = ["extents", "positions", "full"]
   assert.equal(await towns.getByRole("button", {name: /the-streets-of-town-\d+/, includeHidden: true}).count(), await towns.locator("button.graph").count());
   assert.equal(await towns.locator("td[data-r]:not([title*=the-streets])").count(), 0);
   assert.deepEqual(await nameless(towns), []);
+  await towns.locator("td.shown").first().click();
+  const options = towns.frameLocator("#shown iframe").locator("#which option");
+  await options.first().waitFor({state: "attached"});
+  for (const text of await options.allTextContents()) assert.match(text, /^\d+ of \d+: (diamond|grid) \u00b7 towns, the-streets-of-town-\d+/);
   await towns.close();
 });
 

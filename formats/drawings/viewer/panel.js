@@ -134,10 +134,10 @@ export function fillPanel(drawing) {
 export function fillPages() {
   byId("pages").hidden = pageCount < 2;
   for (let page = 0; page < pageCount; ++page) {
-    const {title, verdict, error} = factsOfPage(page), option = document.createElement("option");
+    const {algorithm, title, verdict, error} = factsOfPage(page), option = document.createElement("option");
     const remark = error !== undefined ? " (not drawn)" : verdict.kind === "violated" ? " (violated)" : "";
     option.value = page;
-    option.textContent = `${page + 1} of ${pageCount}: ${title}${remark}`;
+    option.textContent = `${page + 1} of ${pageCount}: ${algorithm ? `${algorithm} \u00b7 ` : ""}${title}${remark}`;
     byId("which").append(option);
   }
 }
