@@ -59,7 +59,7 @@ constexpr std::array<std::array<PerLevel, kStates>, kLevels> kExtremes = extreme
 /// all four levels at once.
 class Sweeper {
  public:
-  Sweeper(const LongVector<Row>& rows, const strips::NumbersAhead& random)
+  Sweeper(const UnwrittenVector<Row>& rows, const strips::NumbersAhead& random)
       : rows_(rows), random_(random), state_(rows.size(), 0) {
     for_each(rows, [&](const Row& row) {
       const unsigned used = levels_of_neighbours(row);
@@ -88,7 +88,7 @@ class Sweeper {
     is_repairing_ = true;
     for (const Vertex v : touched_) state_[v] = static_cast<std::uint8_t>(state_[v] & ~kTouched);
     touched_.clear();
-    LongVector<Row> rows;
+    UnwrittenVector<Row> rows;
     rows.reserve(4 * vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (i + 2 * kAhead < vertices.size()) __builtin_prefetch(&rows_[vertices[i + 2 * kAhead]]);
@@ -125,12 +125,13 @@ class Sweeper {
   static constexpr std::uint32_t kAhead = 16;
 
   template <class Visit>
-  void for_each(const LongVector<Row>& rows, Visit visit) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i + kAhead < rows.size()) {
-        for (const HalfEdge& edge : rows[i + kAhead].edges()) __builtin_prefetch(&state_[edge.to]);
+  void for_each(const UnwrittenVector<Row>& rows, Visit visit) {
+    const std::span<const Row> all(rows);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i + kAhead < all.size()) {
+        for (const HalfEdge& edge : all[i + kAhead].half) __builtin_prefetch(&state_[edge.to]);
       }
-      visit(rows[i]);
+      visit(all[i]);
     }
   }
 
@@ -194,7 +195,7 @@ class Sweeper {
     touched_.push_back(v);
   }
 
-  const LongVector<Row>& rows_;
+  const UnwrittenVector<Row>& rows_;
   strips::NumbersAhead random_;
   LongVector<std::uint8_t> state_;  ///< by vertex
   bool is_repairing_ = false;
@@ -229,7 +230,7 @@ std::vector<Position> positions_by_paths(const Graph& graph, const Order& order)
 }  // namespace
 
 NarrowOrder narrow_order(const Graph& graph, const strips::NumbersAhead& random, int repairs) {
-  const LongVector<Row> rows = rows_of(graph);
+  const UnwrittenVector<Row> rows = rows_of(graph);
   Sweeper sweeper(rows, random);
   for (int i = 0; i < kSweeps; ++i) sweeper.sweep();
   Order order = sweeper.order();

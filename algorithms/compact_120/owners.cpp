@@ -25,21 +25,22 @@ unsigned place_of(EdgeId edge, const Row& row) {
 
 }  // namespace
 
-LongVector<Row> rows_of(const Graph& graph) {
-  LongVector<Row> rows(graph.num_vertices());
+UnwrittenVector<Row> rows_of(const Graph& graph) {
+  UnwrittenVector<Row> rows(graph.num_vertices());
   for (Vertex v = 0; v < rows.size(); ++v) {
+    const std::span<const HalfEdge> edges = graph.incident(v);
     rows[v].v = v;
-    for (const HalfEdge& edge : graph.incident(v)) rows[v].half[rows[v].degree++] = edge;
+    rows[v].degree = static_cast<std::uint32_t>(edges.size());
+    for (unsigned k = 0; k < 3; ++k) rows[v].half[k] = k < edges.size() ? edges[k] : HalfEdge{v, 0};
   }
   return rows;
 }
 
-ChangingOwners::ChangingOwners(const LongVector<Row>& rows, const Order& order) : rows_(rows) {
+ChangingOwners::ChangingOwners(const UnwrittenVector<Row>& rows, const Order& order) : rows_(rows) {
   owners_.sides.resize(2 * rows.size());
   for (Vertex v = 0; v < rows.size(); ++v) {
     if (v + kAhead < rows.size()) {
-      for (const HalfEdge& edge : rows[v + kAhead].edges())
-        __builtin_prefetch(&order.rank[edge.to]);
+      for (const HalfEdge& edge : rows[v + kAhead].half) __builtin_prefetch(&order.rank[edge.to]);
     }
     set_sides(order, v);
   }
@@ -72,13 +73,17 @@ void ChangingOwners::ask_for(Vertex v) const {
 }
 
 void ChangingOwners::search_all() {
-  const auto nodes = static_cast<Node>(owners_.sides.size());
-  for (Node node = 0; node < nodes; ++node) set_owned(node, kUnseen);
-  for (Node node = 0; node < nodes; ++node) {
-    if (node % 2 == 0 && node / 2 + kAhead < rows_.size()) {
-      for (const HalfEdge& edge : rows_[node / 2 + kAhead].edges()) ask_for(edge.to);
+  for (std::uint8_t& side : owners_.sides) {  // a node without edges is a component of its own
+    const unsigned edges = side & 7u;
+    side = static_cast<std::uint8_t>(edges | (edges == 0 ? Owners::kNothing : kUnseen) << 3);
+  }
+  for (Vertex v = 0; v < rows_.size(); ++v) {
+    if (v + kAhead < rows_.size()) {
+      for (const HalfEdge& edge : rows_[v + kAhead].half) ask_for(edge.to);
     }
-    if (owned(node) == kUnseen) search_component(node);
+    for (const Node node : {2 * v, 2 * v + 1}) {
+      if (owned(node) == kUnseen) search_component(node);
+    }
   }
   list_crowded();
 }
@@ -143,7 +148,7 @@ void ChangingOwners::change(const Order& order, const std::vector<Vertex>& verti
     if (i + kAhead < vertices.size()) ask_for(vertices[i + kAhead]);
     if (set_sides(order, vertices[i])) touched.push_back(vertices[i]);
   }
-  if (touched.size() > rows_.size() / 16) {
+  if (touched.size() > rows_.size() / 10) {
     crowded_.clear();
     return search_all();
   }
@@ -189,7 +194,7 @@ void ChangingOwners::list_crowded() {
 }
 
 Owners choose_owners(const Graph& graph, const Order& order) {
-  const LongVector<Row> rows = rows_of(graph);
+  const UnwrittenVector<Row> rows = rows_of(graph);
   return ChangingOwners(rows, order).owners();
 }
 

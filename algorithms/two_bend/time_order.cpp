@@ -15,7 +15,6 @@ StOrder::StOrder(const LocalGraph& graph, const BlockTree& blocks)
     : graph_(graph), blocks_(blocks), seen_(graph.size(), false), number_(graph.size()) {
   visited_.reserve(graph.size());
   numbered_.reserve(graph.size());
-  turns_.reserve(graph.size());
 }
 
 const LongVector<Vertex>& StOrder::order(Vertex s, Vertex t) {
@@ -149,9 +148,7 @@ std::optional<LongVector<Vertex>> list_with_both_ends(const LocalGraph& graph, S
 /// Vertices in breadth-first order from `start`.
 LongVector<Vertex> breadth_first(const LocalGraph& graph, Vertex start) {
   std::vector<bool> seen(graph.size(), false);
-  LongVector<Vertex> queue;
-  queue.reserve(graph.size());
-  queue.push_back(start);
+  LongVector<Vertex> queue{start};
   seen[start] = true;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     if (i + kAhead < queue.size()) ask_for(graph.neighbours, queue[i + kAhead]);
