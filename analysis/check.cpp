@@ -6,7 +6,6 @@
 
 #include <tuple>
 
-#include "ar3d/analysis/repetitions.h"
 #include "ar3d/analysis/replay.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/store/columns/run_columns.h"

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,7 +56,8 @@ struct CheckVerdict {
   /// Returns the exit code: 0 pass; 4 a bound or certificate is violated; 5 incomplete, nothing
   /// measured, or rows that nothing proves.
   int exit_code() const;
-  /// "PASS", "VIOLATED", "INCOMPLETE"; or "MEASURED": nothing was asked of any row but to be drawn.
+  /// Returns "PASS", "VIOLATED", "INCOMPLETE"; or "MEASURED": nothing was asked of any row but to
+  /// be drawn.
   const char* word() const;
 };
 
@@ -75,6 +78,26 @@ CheckVerdict check(const Results& results);
 /// one seed, keys of rows are unique and not zero, and there are no more rows than planned.
 /// @throws InputError naming `path` and the rows. Memory: 24 bytes per graph and per row.
 void require_one_study(const RowView& rows, const std::string& path);
+
+/// Returns which graph, drawn how: rows that agree in it are repetitions.
+std::string repetition_key(const RunRecord& run);
+
+/// Holds what is kept of a row: hashes, so that only rows that may be wrong are read again.
+struct Fingerprint {
+  std::size_t key = 0;          ///< of repetition_key
+  std::size_t row = 0;          ///< so that rows of one key are neighbours, in file order
+  std::size_t measurement = 0;  ///< of phase, scale and repetition
+  std::size_t drawing = 0;      ///< of what repetitions must have in common; 0: the row is not ok
+  auto operator<=>(const Fingerprint&) const = default;
+};
+Fingerprint fingerprint_of(const RunRecord& run, std::size_t row);
+
+using FindingSink = std::function<void(Finding, const RunRecord&)>;
+
+/// Finds measurements that stand twice and repetitions that differ. Only rows whose fingerprints
+/// are suspicious are read. @param sorted  the fingerprints of all rows.
+void find_in_repetitions(const RowView& rows, const std::vector<Fingerprint>& sorted,
+                         const FindingSink& found);
 
 /// Returns true if the row alone shows a broken bound or certificate.
 bool breaks_promise(const RunRecord& run);

@@ -76,17 +76,9 @@ std::pair<Verdict, std::string> judge_fixed(const std::vector<FixedChange>& chan
   });
   std::string reason = one_line(worst->message);
   if (alike > 1) reason += fmt::format(" (and {} more like it)", alike - 1);
-  switch (worst->effect) {
-    case Effect::other:
-      break;
-    case Effect::better:
-      return {Verdict::improved, std::move(reason)};
-    case Effect::worse:
-      return {Verdict::regressed, std::move(reason)};
-    case Effect::violated:
-      return {Verdict::violated, std::move(reason)};
-  }
-  return {Verdict::pass, std::move(reason)};
+  constexpr Verdict kVerdicts[] = {Verdict::pass, Verdict::improved, Verdict::regressed,
+                                   Verdict::violated};  // by Effect
+  return {kVerdicts[static_cast<std::size_t>(worst->effect)], std::move(reason)};
 }
 
 std::string undecided_reason(const TimeVerdict& time, const Comparison& comparison,
@@ -120,22 +112,16 @@ void judge(CellComparison& cell, const std::pair<Verdict, std::string>& fixed, b
     return;
   }
   if (!comparison.time_judged) return set(Verdict::unjudged, "times not judged");
-  switch (cell.time.change) {
-    case TimeChange::same:
-      break;
-    case TimeChange::slower:
-      if (comparison.times && !comparison.times->is_known) {
-        return set(Verdict::inconclusive, "slower than all others on a machine of unknown speed");
-      }
-      return set(Verdict::regressed, "slower");
-    case TimeChange::faster:
-      if (comparison.times && !comparison.times->is_known) {
-        return set(Verdict::inconclusive, "faster than all others on a machine of unknown speed");
-      }
-      return set(Verdict::improved, "faster");
-    case TimeChange::undecided:
-      set(Verdict::inconclusive, undecided_reason(cell.time, comparison, rule));
+  if (cell.time.change == TimeChange::same) return;
+  if (cell.time.change == TimeChange::undecided) {
+    return set(Verdict::inconclusive, undecided_reason(cell.time, comparison, rule));
   }
+  const bool is_slower = cell.time.change == TimeChange::slower;
+  const std::string word = is_slower ? "slower" : "faster";
+  if (comparison.times && !comparison.times->is_known) {
+    return set(Verdict::inconclusive, word + " than all others on a machine of unknown speed");
+  }
+  set(is_slower ? Verdict::regressed : Verdict::improved, word);
 }
 
 Comparison judge_all(std::vector<Evidence> evidence, const std::vector<TimeVerdict>& times,

@@ -105,7 +105,7 @@ struct Comparison {
 /// @throws InputError if the two are of different studies, or one holds a measurement twice.
 Comparison compare(const Results& base, const Results& now, const CompareOptions& options = {});
 
-/// The same for two programs that took turns: base[i] and now[i] were measured one right after the
+/// Compares two programs that took turns: base[i] and now[i] were measured one right after the
 /// other, and a pair is a round. Load that disturbed both is no reason not to judge times.
 /// @param base, now  equally many, at least one.
 Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Results>& now,
@@ -124,7 +124,8 @@ std::string summary(const Calibration& calibration, const TimeRule& rule);
 std::string comparison_markdown(const Comparison& comparison, const CompareOptions& options,
                                 std::size_t most_cells = 20);
 
-/// Everything, for programs; missing numbers are null. @param calibration  null if there was none.
+/// Returns everything, for programs; missing numbers are null. @param calibration  null if there
+/// was none.
 std::string comparison_json(const Comparison& comparison, const CompareOptions& options,
                             const Calibration* calibration = nullptr);
 

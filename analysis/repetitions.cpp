@@ -1,7 +1,5 @@
 // Rows that belong together: repetitions of one drawing, and graphs of one study. Hashes of all
 // rows are sorted, so that only rows that may be wrong are read again.
-#include "ar3d/analysis/repetitions.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "ar3d/analysis/check.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/store/columns/asked_certificate.h"
 

@@ -15,7 +15,7 @@ namespace ar3d {
 std::string draw_command(const RunRecord& run);
 std::string draw_command(const CurveKey& key, std::int64_t n, std::uint64_t seed);
 
-/// The same line is the first part, n, " --seed ", the seed, the second part.
+/// Returns the parts of that line: it is the first one, n, " --seed ", the seed, the second one.
 std::pair<std::string, std::string> draw_command_parts(const CurveKey& key);
 
 /// Represents the line that shows a row of this study again: draw_command, or "ar3d replay FILE ROW"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -8,11 +9,50 @@
 #include <string_view>
 #include <vector>
 
+#include "ar3d/analysis/check.h"
 #include "ar3d/analysis/compare.h"
-#include "ar3d/analysis/study_analysis.h"
+#include "ar3d/analysis/scaling.h"
 #include "ar3d/analysis/table.h"
+#include "ar3d/analysis/tally.h"
 
 namespace ar3d {
+
+/// Describes the bounds table of one curve: what the theorem promises beside what was measured.
+struct BoundsEntry : CurveCounts {
+  std::int64_t volume_n = -1;     ///< the largest n that was drawn: volumes are of its graphs
+  double log2_volume = kMissing;  ///< lattice points of the box, median
+  /// Is the volume over that of the theorem's own box, the product of bound + 1, median. It has the
+  /// order that the very theorem promises; missing without a theorem's bound.
+  double volume_share = kMissing;
+  /// Is the volume over volume_at_least, median of the same graphs; missing if the rows lack that
+  /// column.
+  double volume_over_least = kMissing;
+  std::string theorem_formula;    ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
+  std::string published_formula;  ///< empty if nobody published a bound
+};
+
+/// Returns one entry a curve, in the order of the file. @param study  whose table of algorithms is
+/// used.
+std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdentity& study);
+std::vector<BoundsEntry> bounds_table(const Results& results);
+
+/// Returns the entry's axis of smallest slack, or nullopt if nothing was measured.
+std::optional<std::size_t> worst_axis(const BoundsEntry& entry);
+
+/// Describes everything that report and exports show of a study, computed once. `rows` outlives it.
+struct StudyAnalysis {
+  RowView rows;
+  CheckVerdict verdict;
+  StudyTally tally;
+  std::vector<BoundsEntry> bounds;
+  std::vector<ScalingEntry> scaling;
+};
+
+/// Reads every row again. @param examination  of these rows. Cost: that of tally_of, bounds_table
+/// and scaling.
+StudyAnalysis analyse(const RowView& rows, CheckedRows examination);
+/// Analyses the rows with examine(rows).
+StudyAnalysis analyse(const RowView& rows);
 
 /// Holds what the study was compared with, or why with nothing.
 struct SinceReference {
@@ -46,10 +86,10 @@ std::string render_page(std::string_view page, std::string_view title,
                         const std::vector<Table>& tables, std::string_view viewer = {},
                         std::string_view hashes = {});
 
-/// The rows of the page that are worth storing a drawing of, most important first, at most `most`:
-/// those of the findings that are listed, of the outliers of collections, of the heat maps those of
-/// each curve the graph that comes closest to its bound among those with at most `most_edges`
-/// edges, the closest ones first; then the other numbers of the maps in the same order.
+/// Returns the rows of the page that are worth storing a drawing of, most important first, at most
+/// `most`. First come those of the listed findings and of the outliers of collections. Then, of
+/// every curve, comes the graph closest to its bound among those with at most `most_edges` edges,
+/// the closest first. Last come the other numbers of the heat maps in that order.
 std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t most,
                                       std::int64_t most_edges);
 
@@ -60,8 +100,8 @@ using TextSink = std::function<void(std::string_view)>;
 /// with a header line. Missing numbers are empty fields; slack is 1 - extent / bound.
 std::string bounds_csv(const StudyAnalysis& analysis);
 
-/// Every row: all metrics of verify/metrics/metrics.h, its own bound, the theorem's, the published
-/// one, and the slack against the theorem's.
+/// Writes every row: all metrics of verify/metrics/metrics.h, its own bound, the theorem's, the
+/// published one, and the slack against the theorem's.
 void rows_csv(const RowView& rows, const TextSink& write);
 
 /// Returns the growth of every quantity of every curve, one line each: exponent with 95 % interval,

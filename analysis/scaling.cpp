@@ -180,10 +180,10 @@ ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options)
 }
 
 std::vector<ScalingEntry> scaling(const StudyTally& tally, const FitOptions& options) {
-  std::vector<ScalingEntry> entries(tally.curves.size() * quantities().size());
+  std::vector<ScalingEntry> entries(tally.curves.size() * kQuantities.size());
   for_each_in_threads(available_threads(), entries.size(), [&](std::uint32_t, std::size_t index) {
-    const CurveTally& curve = tally.curves[index / quantities().size()];
-    const Quantity quantity = quantities()[index % quantities().size()];
+    const CurveTally& curve = tally.curves[index / kQuantities.size()];
+    const Quantity quantity = kQuantities[index % kQuantities.size()];
     ScalingEntry& entry = entries[index];
     entry = fit_scaling(samples(curve, quantity), options);
     if (quantity == Quantity::wall_s && !curve.has_timing_rows) refuse_untimed(entry);
@@ -206,20 +206,12 @@ std::optional<double> theorem_order(const SizeBound& theorem, Quantity quantity)
     orders[axis] = bound.numerator == 0 ? 0 : bound.half_power / 2.0;
   }
   if (!theorem.promises_box()) return std::nullopt;
-  switch (quantity) {
-    case Quantity::longest_side:
-      return *std::max_element(orders.begin(), orders.end());
-    case Quantity::extent_x:
-      return orders[0];
-    case Quantity::extent_y:
-      return orders[1];
-    case Quantity::extent_z:
-      return orders[2];
-    case Quantity::volume:
-      return orders[0] + orders[1] + orders[2];
-    default:
-      return std::nullopt;
-  }
+  const auto axis =
+      static_cast<std::size_t>(quantity) - static_cast<std::size_t>(Quantity::extent_x);
+  if (axis < orders.size()) return orders[axis];
+  if (quantity == Quantity::longest_side) return std::ranges::max(orders);
+  if (quantity == Quantity::volume) return orders[0] + orders[1] + orders[2];
+  return std::nullopt;
 }
 
 void refuse_law_above(double order, ScalingEntry& entry) {

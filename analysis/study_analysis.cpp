@@ -1,5 +1,5 @@
 // The bounds table, and everything else that report and exports show of a study, computed once.
-#include "ar3d/analysis/study_analysis.h"
+#include "ar3d/analysis/report.h"
 
 namespace ar3d {
 namespace {

@@ -32,8 +32,8 @@ class TableCell {
   requires(!std::same_as<Integer, bool>) TableCell(Integer integer)
       : value_(static_cast<std::int64_t>(integer)) {}
 
-  /// As JSON, numbers with so many significant digits; 0: the shortest that reads back as the same.
-  /// Nothing in it ends a script element.
+  /// Appends it as JSON, numbers with so many significant digits; 0: the shortest that reads back
+  /// as the same. Nothing in it ends a script element.
   void append_json(int digits, std::string& text) const;
   /// Returns it as a field of RFC 4180; empty if missing.
   std::string csv() const;
@@ -63,6 +63,7 @@ struct Table {
   std::vector<TableColumn> columns;
   std::vector<TableCell> cells = {};  ///< row after row
 
+  /// Adds a row.
   /// @param row  as many cells as there are columns.
   void add(std::initializer_list<TableCell> row);
   void add(std::vector<TableCell> row);
@@ -79,8 +80,8 @@ Table& table_named(std::string_view name, std::vector<Table>& tables);
 /// Returns the names of the columns, then a line a row (RFC 4180).
 std::string table_csv(const Table& table);
 
-/// {"format": …, "tables": {NAME: {"row_is": …, "columns": [{"name", "unit", "meaning", "type"}, …],
-/// "rows": [[…], …]}, …}} in ASCII. Nothing in it ends a script element.
+/// Returns {"format": …, "tables": {NAME: {"row_is": …, "columns": [{"name", "unit", "meaning",
+/// "type"}, …], "rows": [[…], …]}, …}} in ASCII. Nothing in it ends a script element.
 std::string tables_json(const std::vector<Table>& tables);
 
 /// Returns a field of a line of CSV, quoted where RFC 4180 asks for it.
@@ -91,7 +92,7 @@ std::string json_string(std::string_view text);
 /// Returns the number, or null if it is not finite.
 nlohmann::ordered_json json_number(double value);
 
-/// algorithm, options (with the level), family, parameters: the first columns of every table.
+/// Returns algorithm, options (with the level), family and parameters.
 nlohmann::ordered_json key_json(const CurveKey& key);
 
 }  // namespace ar3d

@@ -7,7 +7,6 @@
 #include <unordered_map>
 
 #include "ar3d/analysis/check.h"
-#include "ar3d/analysis/repetitions.h"
 #include "ar3d/analysis/statistics.h"
 #include "ar3d/store/columns/run_columns.h"
 
@@ -225,7 +224,7 @@ void add_slacks(const DrawnGraph& graph, std::array<AxisBounds, 3>& axes) {
 void add_logs(const DrawnGraph& graph, SizeTally& size) {
   for (std::size_t place = 0; place <= kTimed; ++place) {
     const bool timed = place == kTimed;
-    const double log = log_value(graph, timed ? Quantity::wall_s : quantities()[place], timed);
+    const double log = log_value(graph, timed ? Quantity::wall_s : kQuantities[place], timed);
     if (std::isnan(log)) continue;
     size.log_sum[place] += log;
     ++size.log_count[place];
@@ -304,49 +303,28 @@ double DrawnGraph::share() const {
   return share;
 }
 
-const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> all = {
-      Quantity::longest_side, Quantity::extent_x, Quantity::extent_y,
-      Quantity::extent_z,     Quantity::volume,   Quantity::skewed_x,
-      Quantity::skewed_y,     Quantity::skewed_z, Quantity::wall_s};
-  return all;
+double log_value(const DrawnGraph& graph, Quantity quantity, bool timed) {
+  const auto place = static_cast<std::size_t>(quantity);
+  constexpr auto x = static_cast<std::size_t>(Quantity::extent_x);
+  constexpr auto skewed_x = static_cast<std::size_t>(Quantity::skewed_x);
+  const auto log = [](std::int64_t extent) { return log_positive(static_cast<double>(extent)); };
+  if (quantity == Quantity::wall_s) return timed ? graph.log_timed_s : graph.log_wall_s;
+  if (quantity == Quantity::longest_side) return log(std::ranges::max(graph.extents));
+  if (quantity == Quantity::volume) {
+    const double log_volume = graph.log2_volume * std::numbers::ln2;
+    return std::isfinite(log_volume) ? log_volume : kMissing;
+  }
+  return log(place >= skewed_x ? graph.skewed[place - skewed_x] : graph.extents[place - x]);
 }
 
-double log_value(const DrawnGraph& graph, Quantity quantity, bool timed) {
-  const auto log_of = [&](const std::array<std::int64_t, 3>& extents, Quantity x) {
-    const std::size_t axis = static_cast<std::size_t>(quantity) - static_cast<std::size_t>(x);
-    return log_positive(static_cast<double>(extents[axis]));
-  };
-  switch (quantity) {
-    case Quantity::wall_s:
-      return timed ? graph.log_timed_s : graph.log_wall_s;
-    case Quantity::volume: {
-      const double log = graph.log2_volume * std::numbers::ln2;
-      return std::isfinite(log) ? log : kMissing;
-    }
-    case Quantity::longest_side:
-      return log_positive(
-          static_cast<double>(*std::max_element(graph.extents.begin(), graph.extents.end())));
-    case Quantity::extent_x:
-    case Quantity::extent_y:
-    case Quantity::extent_z:
-      return log_of(graph.extents, Quantity::extent_x);
-    case Quantity::skewed_x:
-    case Quantity::skewed_y:
-    case Quantity::skewed_z:
-      return log_of(graph.skewed, Quantity::skewed_x);
-  }
-  return kMissing;
+double metric_of(const DrawnGraph& graph, std::string_view name) {
+  const auto at = std::ranges::find(metrics(), name, &Metric::name);
+  const auto place = static_cast<std::size_t>(at - metrics().begin());
+  return place < graph.metrics.size() ? graph.metrics[place] : kMissing;
 }
 
 double log_volume_at_least(const DrawnGraph& graph) {
-  static const std::size_t place = [] {
-    const auto at = std::find_if(metrics().begin(), metrics().end(), [](const Metric& metric) {
-      return metric.name == "volume_at_least";
-    });
-    return static_cast<std::size_t>(at - metrics().begin());
-  }();
-  return place < graph.metrics.size() ? log_positive(graph.metrics[place]) : kMissing;
+  return log_positive(metric_of(graph, "volume_at_least"));
 }
 
 double SizeTally::mean_log(Quantity quantity, bool timed) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ar3d/store/columns/curves.h"
@@ -35,7 +36,8 @@ struct DrawnGraph {
   double share() const;
 };
 
-/// The quantities whose growth with n is fitted; skewed extents of an algorithm that states them.
+/// Names the quantities whose growth with n is fitted; skewed extents of an algorithm that states
+/// them.
 enum class Quantity {
   longest_side,
   extent_x,
@@ -47,13 +49,19 @@ enum class Quantity {
   skewed_z,
   wall_s
 };
-const std::vector<Quantity>& quantities();
+inline constexpr std::array kQuantities = {
+    Quantity::longest_side, Quantity::extent_x, Quantity::extent_y,
+    Quantity::extent_z,     Quantity::volume,   Quantity::skewed_x,
+    Quantity::skewed_y,     Quantity::skewed_z, Quantity::wall_s};
 /// Returns the natural logarithm of the graph's quantity; missing if there is none or it is not
 /// positive. Volume is log2_volume. @param timed  whether drawing times are those of the timing
 /// phase.
 double log_value(const DrawnGraph& graph, Quantity quantity, bool timed);
 
-/// Natural logarithm of volume_at_least; missing in rows of programs that did not have it.
+/// Returns one metric of the table; NaN: missing.
+double metric_of(const DrawnGraph& graph, std::string_view name);
+/// Returns the natural logarithm of volume_at_least; missing in rows of programs that did not have
+/// it.
 double log_volume_at_least(const DrawnGraph& graph);
 
 /// Holds what all graphs of one n gave.
@@ -64,7 +72,8 @@ struct SizeTally {
   std::size_t drawn = 0;           ///< graphs with an ok row
   std::vector<DrawnGraph> graphs;  ///< these, or StudyTally::kept_graphs of them, a uniform sample
   DrawnGraph closest;              ///< of all drawn: the largest share(); row of none: no bound
-  /// Sum and number of log_value of all drawn graphs by quantity; the last is the timing phase.
+  /// Holds sum and number of log_value of all drawn graphs by quantity; the last is the timing
+  /// phase.
   std::array<double, 10> log_sum{};
   std::array<std::size_t, 10> log_count{};
 
@@ -132,7 +141,7 @@ struct CurveTally : CurveCounts {
   std::vector<CensoredRow> censored;  ///< the first 1000 with n >= 1, by n
 };
 
-/// Batches of one size that so many threads or ranks shared: values of the first 10,000 rows.
+/// Names batches of one size that so many threads or ranks shared: values of the first 10,000 rows.
 struct BatchKey {
   RunPhase phase = RunPhase::strong;
   std::string algorithm;  ///< algorithm_label
@@ -154,6 +163,7 @@ struct StudyTally {
   std::size_t left_out_rows = 0;  ///< of curves and sizes beyond the first 200,000 sizes
 };
 
+/// Tallies all rows.
 /// @param is_last_repetition  of examine(rows). Cost: O(r) expected for r rows in any order; the
 /// memory of graphs whose repetitions are not all read yet comes on top.
 StudyTally tally_of(const RowView& rows, const std::vector<bool>& is_last_repetition);

@@ -126,43 +126,31 @@ std::string cell_lines(const Comparison& comparison, std::size_t most_cells,
   return text;
 }
 
-/// The cells with the largest |of|, largest first; those where it is 0 are left out.
-std::vector<const CellComparison*> largest(const Comparison& comparison, std::size_t most,
-                                           const std::function<double(const CellComparison&)>& of) {
-  std::vector<const CellComparison*> cells;
-  for (const CellComparison& cell : comparison.cells) {
-    if (std::abs(of(cell)) > 0) cells.push_back(&cell);  // no NaN
-  }
-  std::stable_sort(cells.begin(), cells.end(), [&](const auto* a, const auto* b) {
-    return std::abs(of(*a)) > std::abs(of(*b));
-  });
-  cells.resize(std::min(cells.size(), most));
-  return cells;
-}
-
 /// What changed most, in every case: a change that was not judged is seen, too.
 std::string largest_changes(const Comparison& comparison, std::size_t most) {
-  const auto time_of = [](const CellComparison& cell) {
-    return cell.time.test.pairs == 0 ? 0 : cell.time.test.estimate;
-  };
-  const auto volume_of = [](const CellComparison& cell) { return cell.log2_volume_change; };
-  const auto times = largest(comparison, most, time_of);
   std::string text;
+  const auto add = [&](const char* what, const auto& size, const auto& told) {
+    std::vector<const CellComparison*> cells;
+    for (const CellComparison& cell : comparison.cells) {
+      if (std::abs(size(cell)) > 0) cells.push_back(&cell);  // no NaN
+    }
+    std::ranges::stable_sort(cells, std::greater(),
+                             [&](const auto* cell) { return std::abs(size(*cell)); });
+    cells.resize(std::min(cells.size(), most));
+    text += fmt::format("largest changes of {}{}\n", what, cells.empty() ? ": none" : "");
+    for (const CellComparison* cell : cells) {
+      text += fmt::format("  {:<58} {}\n", cell_label(cell->key, cell->n), told(*cell));
+    }
+  };
   if (!comparison.drawings_only) {
-    text = fmt::format("largest changes of time ({}){}\n",
-                       comparison.time_judged ? "judged" : "NOT JUDGED",
-                       times.empty() ? ": none" : "");
+    add(
+        comparison.time_judged ? "time (judged)" : "time (NOT JUDGED)",
+        [](const auto& cell) { return cell.time.test.pairs == 0 ? 0 : cell.time.test.estimate; },
+        [](const auto& cell) { return time_text(cell.time); });
   }
-  for (const CellComparison* cell : times) {
-    if (comparison.drawings_only) break;
-    text += fmt::format("  {:<58} {}\n", cell_label(cell->key, cell->n), time_text(cell->time));
-  }
-  const auto volumes = largest(comparison, most, volume_of);
-  text += fmt::format("largest changes of volume{}\n", volumes.empty() ? ": none" : "");
-  for (const CellComparison* cell : volumes) {
-    text += fmt::format("  {:<58} {}\n", cell_label(cell->key, cell->n),
-                        percent(std::exp2(volume_of(*cell))));
-  }
+  add(
+      "volume", [](const auto& cell) { return cell.log2_volume_change; },
+      [](const auto& cell) { return percent(std::exp2(cell.log2_volume_change)); });
   return text;
 }
 

@@ -1,9 +1,9 @@
 // Tells whether two results come from alike machines and builds. A setting that differs from
 // session to session by its nature, such as the load, counts as a change only if it disturbs times.
-#include "ar3d/analysis/compare.h"
-
 #include <charconv>
 #include <set>
+
+#include "ar3d/analysis/compare.h"
 
 namespace ar3d {
 namespace {

@@ -23,7 +23,7 @@ struct SideTimes {
   double variance = 0;  ///< squared standard error of `level`, from the rounds as if independent
   double halves = 0;    ///< as `level`: first half of the rounds over the second
 };
-/// Requested n, index and seed of a graph → its times, each with its round.
+/// Holds a graph's times, each with its round, by its requested n, index and seed.
 using GraphRounds = std::map<std::tuple<std::int64_t, std::int64_t, std::uint64_t>,
                              std::vector<std::pair<std::int64_t, double>>>;
 SideTimes side_times(const GraphRounds& graphs);
@@ -70,7 +70,9 @@ inline constexpr std::size_t kFewestSettings = 3;
 /// Tells what yardsticks alone may be wrong by, where fewer settings are there.
 inline constexpr double kWithoutOthers = 0.05;
 
-/// @param cells  of one setting each. @param yardsticks  as FileTimes. Cost: O(c log c) for c cells.
+/// Judges every cell and setting.
+/// @param cells  of one setting each.
+/// @param yardsticks  as FileTimes. Cost: O(c log c) for c cells.
 FileTimes judge_file_times(const std::vector<CellTimes>& cells,
                            const std::array<double, 3>& yardsticks, const TimeRule& rule);
 

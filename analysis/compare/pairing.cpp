@@ -180,30 +180,21 @@ bool is_measured(const PairedRow& row) {
   return row.base->status == RunStatus::measured || row.now->status == RunStatus::measured;
 }
 
-/// A value that programs without a guarantee are compared by.
-struct MeasuredValue {
-  const char* column;
-  const char* name;
-  bool more_is_worse;
-  double tolerance;  ///< of its logarithm
-};
-
 /// Coordinates of such a program have any unit: its volume is counted in smallest distances.
 void compare_measured(const RunRecord& base, const RunRecord& now,
                       std::vector<FixedChange>& changes) {
-  constexpr std::array<MeasuredValue, 4> kValues = {
-      {{"crossings", "crossings", true, 0},
-       {"smallest_vertex_angle", "smallest angle at a vertex", false, kMeasuredTolerance},
-       {"smallest_bend_angle", "smallest angle at a bend", false, kMeasuredTolerance},
-       {"log2_relative_volume", "volume in smallest distances", true, kMeasuredTolerance}}};
-  for (const MeasuredValue& value : kValues) {
-    const Column& column = run_column(value.column);
+  for (const auto& [name, what, more_is_worse, tolerance] :
+       {std::tuple{"crossings", "crossings", true, 0.0},
+        {"smallest_vertex_angle", "smallest angle at a vertex", false, kMeasuredTolerance},
+        {"smallest_bend_angle", "smallest angle at a bend", false, kMeasuredTolerance},
+        {"log2_relative_volume", "volume in smallest distances", true, kMeasuredTolerance}}) {
+    const Column& column = run_column(name);
     double before = column_number(column, base), after = column_number(column, now);
-    if (value.column == kValues.back().column) before = std::exp2(before), after = std::exp2(after);
+    if (column.name == "log2_relative_volume") before = std::exp2(before), after = std::exp2(after);
     if (std::isnan(before) || std::isnan(after) || before == after) continue;
-    if (std::abs(std::log(after / before)) <= value.tolerance) continue;
-    changes.push_back({direction((after > before) == value.more_is_worse),
-                       fmt::format("{}: {:.6g} became {:.6g}", value.name, before, after)});
+    if (std::abs(std::log(after / before)) <= tolerance) continue;
+    changes.push_back({direction((after > before) == more_is_worse),
+                       fmt::format("{}: {:.6g} became {:.6g}", what, before, after)});
   }
 }
 

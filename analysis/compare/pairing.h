@@ -9,7 +9,8 @@
 
 namespace ar3d {
 
-/// One measurement that both sides made: the same graph, algorithm, options, phase and repetition.
+/// Describes one measurement that both sides made: the same graph, algorithm, options, phase and
+/// repetition.
 struct PairedRow {
   const RunRecord* base = nullptr;
   const RunRecord* now = nullptr;
@@ -35,10 +36,12 @@ struct Pairing {
 /// @throws InputError if one side holds the same measurement twice. Cost: O(r log r) for r rows.
 Pairing pair_rows(const Results& base, const Results& now);
 
-/// True if both sides drew it, judged right (ok) or without a guarantee to be judged by (measured).
+/// Returns true if both sides drew it, judged right (ok) or without a guarantee to be judged by
+/// (measured).
 bool both_drawn(const PairedRow& row);
 
-/// "random-cubic n=100 instance 0, diamond (effort=1), repetition 2": which measurement a row is.
+/// Returns "diamond (effort=1) on random-cubic n=100, instance 0, repetition 2": which measurement
+/// a row is.
 std::string row_label(const RunRecord& run);
 
 /// Returns the drawn pairs whose times count: of the timing phase if the cell has any, else of
@@ -49,7 +52,8 @@ std::vector<PairedRow> timed_rows(const PairedCell& cell);
 /// the smallest drawing times among the repetitions of each; NaN if there is none.
 double round_log_time_ratio(const PairedCell& cell);
 
-/// Rows drawn on both sides whose time is not a finite positive number although it should be one.
+/// Counts rows drawn on both sides whose time is not a finite positive number although it should be
+/// one.
 std::size_t rows_without_time(const PairedCell& cell);
 
 /// Says what a change of a value without noise means.
@@ -61,13 +65,14 @@ struct FixedChange {
   std::string message;  ///< one line: what, before, after
 };
 
-/// Status, certificate, graph, volume (exact, lattice points of the box) and bends of one pair of
-/// rows; of rows without a guarantee the volume in smallest distances of vertices, crossings and
-/// smallest angles, where 1 % of volume or angle is no change. Values that one of the two misses
-/// are not compared; a drawing that differs in something else is `other`.
+/// Compares status, certificate, graph, volume (exact, lattice points of the box) and bends of one
+/// pair of rows. Rows without a guarantee are compared by volume in smallest distances of vertices,
+/// crossings and smallest angles, where 1 % of volume or angle is no change. Values that one of the
+/// two misses are not compared; a drawing that differs in something else is `other`.
 std::vector<FixedChange> fixed_changes(const PairedRow& row);
 
-/// log2(new / base) of the volume that fixed_changes compares; 0 where one of the two has none.
+/// Returns log2(new / base) of the volume that fixed_changes compares; 0 where one of the two has
+/// none.
 double log2_volume_change(const PairedRow& row);
 
 /// Describes log(new / base) of a whole cell's counts, by their sums over its drawings; NaN unless

@@ -16,7 +16,7 @@ namespace ar3d {
 class SignedRankDistribution {
  public:
   static constexpr std::size_t kExactPairs = 100;
-  /// Cost: O(k^3) up to kExactPairs, else O(1).
+  /// Makes the distribution. Cost: O(k^3) up to kExactPairs, else O(1).
   explicit SignedRankDistribution(std::size_t pairs);
   std::size_t pairs() const { return pairs_; }
   /// Returns P(W <= w) = P(W >= k(k+1)/2 - w).
@@ -45,9 +45,11 @@ struct SignedRankTest {
   double p_value() const;  ///< two-sided
 };
 
-/// Ties and zeros count against the alternative, which keeps the p-values valid: breaking the ties
-/// at random would make a continuous symmetric sample with at least that W.
-/// @param differences  finite. @param confidence  of the interval, in (0, 1).
+/// Tests whether the differences are centred at 0. Ties and zeros count against the alternative,
+/// which keeps the p-values valid: breaking the ties at random would make a continuous symmetric
+/// sample with at least that W.
+/// @param differences  finite.
+/// @param confidence  of the interval, in (0, 1).
 SignedRankTest signed_rank_test(std::span<const double> differences,
                                 const SignedRankDistribution& distribution, double confidence);
 

@@ -1,11 +1,10 @@
 // One pass over a results file makes one value of each measure for each cell. The graphs of a cell
 // are part of its key, so that values of different graphs never stand in one line.
-#include "ar3d/analysis/history/history.h"
-
 #include <fmt/format.h>
 
 #include <numbers>
 
+#include "ar3d/analysis/history/history.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -9,7 +10,7 @@
 #include <vector>
 
 #include "ar3d/analysis/compare.h"
-#include "ar3d/analysis/history/time_steps.h"
+#include "ar3d/analysis/compare/file_times.h"
 #include "ar3d/analysis/table.h"
 
 namespace ar3d {
@@ -33,9 +34,9 @@ struct HistoryCell {
 
 /// Is a measure of a cell in one results file; missing (NaN) where a row of the cell has none.
 struct CellValue {
-  /// Geometric means over the graphs but of bends (per edge), crossings and the smallest angle in
-  /// degrees (arithmetic ones). Volumes are lattice points; of measured drawings they are in smallest
-  /// distances of vertices.
+  /// Is a geometric mean over the graphs; of bends (per edge), crossings and the smallest angle in
+  /// degrees an arithmetic one. Volumes are lattice points; of measured drawings they are in
+  /// smallest distances of vertices.
   double value = kMissing;
   std::string exact = {};  ///< of a drawing: a hash of those of every single graph; what is
                            ///< measured has three digits there
@@ -59,6 +60,48 @@ struct CellTable {
 /// Passes once over the rows; those of batches (strong, weak) are left out. Memory: that of the
 /// graphs. Cost: O(r log r) for r rows.
 CellTable cell_values(const RowView& rows);
+
+/// Holds times of one study in one environment, over its results in their order.
+struct TimeSeries {
+  struct Result {
+    std::array<double, 3> yardsticks{};  ///< logarithms; NaN: unknown
+    std::vector<SideTimes> cells;        ///< one for each of `settings`; 0 rounds: not timed
+  };
+  std::vector<std::string> settings;  ///< which setting each cell is of
+  std::vector<Result> results;
+};
+
+inline constexpr std::size_t kNoCell = static_cast<std::size_t>(-1);
+
+/// Describes a change of times that lasts. Times are logarithms.
+struct TimeStep {
+  std::size_t at = 0;          ///< first result with it
+  std::size_t width = 0;       ///< results on either side that show it
+  std::string setting;         ///< empty: all settings together
+  std::size_t cell = kNoCell;  ///< the only cell of the setting that moved
+  std::size_t cells = 1;       ///< of the setting, that were compared
+  std::size_t most = 0;        ///< the one of them that moved most
+  double change = 0;           ///< new over old level
+  double error = 0;            ///< the change is within +- error
+};
+
+/// Describes the smallest change of a setting that its results can show.
+struct SmallestStep {
+  std::string setting;
+  std::size_t cells = 0;
+  std::size_t results = 0;    ///< that have times of it
+  double at_once = kMissing;  ///< by the last result alone; a logarithm, NaN: it cannot
+  double best = kMissing;     ///< with most results on either side of it
+};
+
+struct TimeSteps {
+  std::vector<TimeStep> steps;         ///< by place
+  std::vector<SmallestStep> smallest;  ///< one for each setting, by name
+};
+
+/// Compares, at every result, the last k with the k before, k = 1 … 8, by the rule that `compare`
+/// has for two files (docs/history.md, Times). Cost: O(8 r c log c) for r results of c cells.
+TimeSteps find_time_steps(const TimeSeries& series, const TimeRule& rule);
 
 /// Describes a results file of a history, without its rows.
 struct CommitResults {
@@ -84,11 +127,12 @@ struct HistoryLine {
   Measure measure = Measure::time;
   std::vector<std::size_t> results;  ///< in History::results, ascending, one a value
   std::vector<double> values;        ///< as CellValue::value, none missing; times in seconds
-  /// False: too few results for its setting, or a time of which all results have counts.
+  /// Is false for too few results of its setting, and for a time of which all results have counts.
   bool is_judged = true;
 };
 
-/// What a commit changed of one measure of one setting, the same way in all cells that it names.
+/// Describes what a commit changed of one measure of one setting, the same way in all cells that it
+/// names.
 struct HistoryChange {
   std::size_t at = 0;      ///< the first result with it, in History::results
   std::size_t before = 0;  ///< the last one without
@@ -125,7 +169,8 @@ std::string history_file_name(std::int64_t place, const std::string& name,
 /// whose name does not begin with a place and a name.
 History read_history(const std::string& folder, const CompareOptions& rule);
 
-/// For a terminal: every change under its commit, `most_commits` at most, and what was judged.
+/// Returns a text for a terminal: every change under its commit, `most_commits` at most, and what
+/// was judged.
 std::string summary(const History& history, std::size_t most_commits = 20);
 
 /// Returns everything that the page shows. @param folder  as commands name it.

@@ -24,29 +24,23 @@ double farther(double a, double b) {
   return std::isfinite(b) && std::abs(std::log(b)) > std::abs(std::log(a)) ? b : a;
 }
 
-/// What all cells of one setting came to.
-struct SettingChange {
-  std::array<std::size_t, kVerdicts.size()> cells{};  // indexed by Verdict
-  double time = kMissing, volume = kMissing;          // ratios, the one farthest from 1
-};
-
 void add_since_settings(TableMaker& make, const Comparison& comparison) {
-  std::map<std::string, SettingChange> settings;
+  std::map<std::string, std::vector<const CellComparison*>> settings;
   for (const CellComparison& cell : comparison.cells) {
-    SettingChange& setting = settings[algorithm_label(cell.key)];
-    ++setting.cells[static_cast<std::size_t>(cell.verdict)];
-    setting.time = farther(setting.time, time_ratio(cell));
-    setting.volume = farther(setting.volume, std::exp2(cell.log2_volume_change));
+    settings[algorithm_label(cell.key)].push_back(&cell);
   }
-  Table& table = make.table("since_settings");
-  for (const auto& [label, setting] : settings) {
+  for (const auto& [label, cells] : settings) {
     std::vector<TableCell> row = {label};
     for (const Verdict verdict : kVerdicts) {
-      row.push_back(setting.cells[static_cast<std::size_t>(verdict)]);
+      row.emplace_back(std::ranges::count(cells, verdict, &CellComparison::verdict));
     }
-    row.push_back(setting.time);
-    row.push_back(setting.volume);
-    table.add(std::move(row));
+    double time = kMissing, volume = kMissing;  // ratios, the ones farthest from 1
+    for (const CellComparison* cell : cells) {
+      time = farther(time, time_ratio(*cell));
+      volume = farther(volume, std::exp2(cell->log2_volume_change));
+    }
+    row.insert(row.end(), {time, volume});
+    make.table("since_settings").add(std::move(row));
   }
 }
 

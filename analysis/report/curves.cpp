@@ -73,19 +73,6 @@ Figure figure_of(const TableMaker& make, std::size_t setting, Quantity quantity)
   return figure;
 }
 
-/// How much a page may hold.
-struct PageBudget {
-  std::size_t points_of_a_size = 12, sizes_of_a_line = 200;
-};
-
-PageBudget budget_of(const StudyTally& tally) {
-  double sizes = 1;
-  for (const CurveTally& curve : tally.curves) sizes += static_cast<double>(curve.sizes.size());
-  const double curves = std::max(1.0, static_cast<double>(tally.curves.size()));
-  return {static_cast<std::size_t>(std::clamp(kPointBudget / (3 * sizes), 0.0, 12.0)),
-          static_cast<std::size_t>(std::clamp(kLineBudget / curves, 12.0, 200.0))};
-}
-
 void add_lines(const Figure& figure, std::size_t most_sizes, Table& table) {
   for (const FamilyLine& line : figure.lines) {
     for (const SizeSample& size : evenly(line.sizes, most_sizes)) {
@@ -200,23 +187,30 @@ void add_volume_bands(TableMaker& make) {
 }  // namespace
 
 void add_curves(TableMaker& make) {
-  const PageBudget budget = budget_of(make.analysis.tally);
+  // How much a page may hold: points of a size, and sizes of a line.
+  const std::vector<CurveTally>& tallies = make.analysis.tally.curves;
+  double sizes = 1;
+  for (const CurveTally& curve : tallies) sizes += static_cast<double>(curve.sizes.size());
+  const auto most_points =
+      static_cast<std::size_t>(std::clamp(kPointBudget / (3 * sizes), 0.0, 12.0));
+  const double share = kLineBudget / std::max(1.0, static_cast<double>(tallies.size()));
+  const auto most_sizes = static_cast<std::size_t>(std::clamp(share, 12.0, 200.0));
   Table& curves = make.table("curves");
   Table& bands = make.table("bands");
   Table& bounds = make.table("bound_lines");
   Table& figures = make.table("figures");
   std::vector<Quantity> shown = {Quantity::longest_side, Quantity::volume, Quantity::wall_s};
-  if (make.all) shown = quantities();
+  if (make.all) shown.assign(kQuantities.begin(), kQuantities.end());
   for (std::size_t i = 0; i < make.sections.size(); ++i) {
     for (const Quantity quantity : shown) {
       const Figure figure = figure_of(make, i, quantity);
       if (figure.lines.empty()) continue;
-      add_lines(figure, make.all ? figure.lines.size() + 100000 : budget.sizes_of_a_line, curves);
+      add_lines(figure, make.all ? figure.lines.size() + 100000 : most_sizes, curves);
       add_band(figure, bands);
       add_bound(figure, bounds, figures);
     }
   }
-  add_points(make, budget.points_of_a_size);
+  add_points(make, most_points);
   add_volume_bands(make);
 }
 

@@ -15,23 +15,6 @@ constexpr std::size_t kEndsNamed = 2;  // families with the largest values, and 
 constexpr std::size_t kAllNamed = 6;   // so few families are all drawn and named
 constexpr std::size_t kMostShareBins = 16;
 
-/// Where a curve stands in the sections.
-struct CurvePlace {
-  std::size_t setting = 0;
-  const SectionCurve* curve = nullptr;
-  bool is_shown = false;
-};
-using CurvePlaces = std::map<std::size_t, CurvePlace>;
-
-CurvePlaces places_of(const std::vector<Section>& sections) {
-  CurvePlaces places;
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    for (const SectionCurve& curve : sections[i].curves) places[curve.place] = {i, &curve, false};
-    for (const SectionCurve& curve : sections[i].shown) places[curve.place].is_shown = true;
-  }
-  return places;
-}
-
 std::vector<TableCell> key_cells(const CurveKey& key) {
   return {key.algorithm, options_and_level(key), key.family, key.parameters};
 }
@@ -47,10 +30,10 @@ constexpr std::array kSlacks = {
     &AxisBounds::worst_slack,           &AxisBounds::median_slack,
     &AxisBounds::worst_instance_slack,  &AxisBounds::median_instance_slack,
     &AxisBounds::worst_published_slack, &AxisBounds::median_published_slack};
-void add_page_cells(const BoundsEntry& entry, const CurvePlace& at, const ShowCommand& show,
+void add_page_cells(const BoundsEntry& entry, const SectionCurve& curve, const ShowCommand& show,
                     std::vector<TableCell>& row) {
   row.insert(row.end(),
-             {at.setting, at.curve->family, at.curve->name, at.is_shown, at.curve->is_collection});
+             {curve.setting, curve.family, curve.name, curve.is_shown, curve.is_collection});
   for (const RunStatus status :
        {RunStatus::ok, RunStatus::violated, RunStatus::refused, RunStatus::timeout,
         RunStatus::out_of_memory, RunStatus::crashed, RunStatus::measured}) {
@@ -175,7 +158,7 @@ void add_bends(TableMaker& make) {
 void fill_bounds(const StudyAnalysis& analysis, const std::vector<Section>& sections,
                  Table& table) {
   const ShowCommand show(analysis.rows);
-  const CurvePlaces places = places_of(sections);
+  const auto places = curves_by_place(sections);
   for (std::size_t i = 0; i < analysis.bounds.size(); ++i) {
     const BoundsEntry& entry = analysis.bounds[i];
     std::vector<TableCell> row = key_cells(entry.key);
@@ -188,7 +171,7 @@ void fill_bounds(const StudyAnalysis& analysis, const std::vector<Section>& sect
     row.insert(row.end(), {entry.log2_volume, entry.volume_share, entry.volume_over_least,
                            worst ? show(entry.key, entry.axes[*worst].worst) : ""});
     if (const auto at = places.find(i); at != places.end()) {
-      add_page_cells(entry, at->second, show, row);
+      add_page_cells(entry, *at->second, show, row);
     }
     row.resize(table.columns.size());
     table.add(std::move(row));

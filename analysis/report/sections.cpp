@@ -8,12 +8,15 @@
 namespace ar3d::report {
 namespace {
 
-/// The curves closest to their bound, in the order of the file.
-void keep_closest(std::vector<SectionCurve>& curves) {
-  if (curves.size() <= kMostFamilies) return;
-  std::ranges::stable_sort(curves, {}, &SectionCurve::least_slack);
-  curves.resize(kMostFamilies);
-  std::ranges::sort(curves, {}, &SectionCurve::place);
+/// Marks the curves closest to their bound as shown.
+void show_closest(Section& section) {
+  std::vector<SectionCurve*> closest;
+  for (SectionCurve& curve : section.curves) closest.push_back(&curve);
+  std::ranges::stable_sort(closest, {}, &SectionCurve::least_slack);
+  if (closest.size() > kMostFamilies) closest.resize(kMostFamilies);
+  for (SectionCurve* curve : closest) curve->is_shown = true;
+  std::ranges::copy_if(section.curves, std::back_inserter(section.shown), std::identity(),
+                       &SectionCurve::is_shown);
 }
 
 void name_families(std::vector<SectionCurve>& curves) {
@@ -36,7 +39,7 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
   std::map<CurveKey, std::vector<const ScalingEntry*>> scaling_of;
   for (const ScalingEntry& entry : analysis.scaling) {
     auto& entries = scaling_of[entry.key];
-    entries.resize(quantities().size());
+    entries.resize(kQuantities.size());
     entries[static_cast<std::size_t>(entry.quantity)] = &entry;
   }
   const ShowCommand commands(analysis.rows);
@@ -58,18 +61,25 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
     }
     sections[at->second].has_own_unit |= analysis.tally.curves[place].has_own_unit;
     auto scaling = scaling_of[key];
-    scaling.resize(quantities().size());
+    scaling.resize(kQuantities.size());
     const CurveTally& tally = analysis.tally.curves[place];
     sections[at->second].curves.push_back(
         {place, family_label(key), key.family, &tally, &analysis.bounds[place], std::move(scaling),
-         commands.is_of_file(key.family) && tally.instances >= kFewestOfCollection});
+         commands.is_of_file(key.family) && tally.instances >= kFewestOfCollection, at->second});
   }
   for (Section& section : sections) {
     name_families(section.curves);
-    section.shown = section.curves;
-    keep_closest(section.shown);
+    show_closest(section);
   }
   return sections;
+}
+
+std::map<std::size_t, const SectionCurve*> curves_by_place(const std::vector<Section>& sections) {
+  std::map<std::size_t, const SectionCurve*> places;
+  for (const Section& section : sections) {
+    for (const SectionCurve& curve : section.curves) places[curve.place] = &curve;
+  }
+  return places;
 }
 
 std::size_t count_families(const std::set<std::string>& family_labels) {
@@ -110,21 +120,18 @@ void GraphList::add_row(std::size_t row) {
 
 void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
                      const std::vector<Section>& sections, Table& table) const {
-  std::map<std::size_t, const Section*> section_of;
-  for (const Section& section : sections) {
-    for (const SectionCurve& curve : section.curves) section_of[curve.place] = &section;
-  }
+  const auto places = curves_by_place(sections);
   for (const auto& entry : rows_) {
     const std::uint64_t row = entry.first;
     const auto& noted = entry.second;
     const DrawnGraph& graph = noted.graph;
     const bool timed = analysis.tally.curves[noted.curve].has_timing_rows;
-    const auto section = section_of.find(noted.curve);
+    const auto curve = places.find(noted.curve);
     const auto over = [&](Quantity quantity) {
-      if (section == section_of.end() || !noted.status.empty() || !noted.is_point) return kMissing;
+      if (curve == places.end() || !noted.status.empty() || !noted.is_point) return kMissing;
       const double log_n = std::log(static_cast<double>(graph.n));
       return std::exp(log_value(graph, quantity, timed) -
-                      order_of(*section->second, quantity) * log_n);
+                      order_of(sections[curve->second->setting], quantity) * log_n);
     };
     const auto optional = [](const std::string& text) {
       return text.empty() ? TableCell() : TableCell(text);
@@ -175,11 +182,6 @@ Interval told_interval(const ScalingEntry& entry) {
 }
 
 double log10_of(std::int64_t n) { return std::log10(static_cast<double>(n)); }
-double metric_of(const DrawnGraph& graph, std::string_view name) {
-  const auto at = std::ranges::find(metrics(), name, &Metric::name);
-  const auto place = static_cast<std::size_t>(at - metrics().begin());
-  return place < graph.metrics.size() ? graph.metrics[place] : kMissing;
-}
 double log10_metric(const DrawnGraph& graph, std::string_view name) {
   return decimal(log_positive(metric_of(graph, name)));
 }

@@ -24,6 +24,8 @@ struct SectionCurve {
   const BoundsEntry* bounds = nullptr;
   std::vector<const ScalingEntry*> scaling;  ///< by quantity; null if it was not measured
   bool is_collection = false;  ///< graphs of files, at least kFewestOfCollection of them
+  std::size_t setting = 0;     ///< its section's place
+  bool is_shown = false;       ///< among Section::shown
 
   const ScalingEntry* growth(Quantity quantity) const {
     return scaling[static_cast<std::size_t>(quantity)];
@@ -47,6 +49,8 @@ inline constexpr std::size_t kMostFamilies = 300, kMostSections = 40, kShownFind
 
 /// Returns at most kMostSections of them.
 std::vector<Section> sections(const StudyAnalysis& analysis);
+/// Returns the curves of all sections by their places.
+std::map<std::size_t, const SectionCurve*> curves_by_place(const std::vector<Section>& sections);
 /// Returns the number of families that these labels are of: one with several parameters counts once.
 std::size_t count_families(const std::set<std::string>& family_labels);
 /// Returns the power of n that figures divide a quantity by: the order of the theorem's bound, or
@@ -68,7 +72,7 @@ class GraphList {
   /// @return its row.
   std::size_t add(std::size_t curve, const DrawnGraph& graph, bool point = false);
   void add(std::size_t curve, const CensoredRow& row);
-  /// The same of any row of the study; nothing if its curve is in no table.
+  /// Notes any row of the study; nothing if its curve is in no table.
   void add_row(std::size_t row);
   /// Fills the table `graphs`. @param drawings  which drawing of the viewer's page shows a row.
   void fill(const std::map<std::size_t, std::size_t>& drawings,
@@ -113,17 +117,17 @@ std::vector<std::size_t> collection_outliers(const std::vector<Section>& section
 double log10_of(std::int64_t n);
 /// Returns the decimal logarithm of a natural one.
 double decimal(double natural_log);
-/// Returns one metric of the table, its decimal logarithm, and the bends of all edges; NaN: missing.
-double metric_of(const DrawnGraph& graph, std::string_view name);
+/// Returns the decimal logarithm of a metric, and the bends of all edges; NaN: missing.
 double log10_metric(const DrawnGraph& graph, std::string_view name);
 double bends_of(const DrawnGraph& graph);
 
-/// Sizes that stand together.
+/// Holds the ends of sizes that stand together.
 struct SizeBin {
   std::int64_t first = 0, last = 0;
 };
-/// One bin a size if there are at most `most`; else those of `most` equal parts of the logarithmic
-/// scale that hold any. @param sizes  at least 1 each; smaller ones are in no bin but the first.
+/// Makes one bin a size if there are at most `most`; else bins of `most` equal parts of the
+/// logarithmic scale, without the empty ones. @param sizes  at least 1 each; smaller ones are in no
+/// bin but the first.
 std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t most);
 
 /// Returns at most `most` of the items, evenly, the first and the last among them.

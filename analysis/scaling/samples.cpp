@@ -22,23 +22,15 @@ const char* unit_of(Quantity quantity) {
 
 double log_bound(const DrawnGraph& graph, Quantity quantity) {
   const auto& bound = graph.theorem_bound;
-  switch (quantity) {
-    case Quantity::volume:
-      return log_positive(bound[0] + 1) + log_positive(bound[1] + 1) + log_positive(bound[2] + 1);
-    case Quantity::longest_side:
-      if (std::any_of(bound.begin(), bound.end(), [](double b) { return std::isnan(b); })) {
-        return kMissing;
-      }
-      return log_positive(*std::max_element(bound.begin(), bound.end()));
-    case Quantity::extent_x:
-      return log_positive(bound[0]);
-    case Quantity::extent_y:
-      return log_positive(bound[1]);
-    case Quantity::extent_z:
-      return log_positive(bound[2]);
-    default:
-      return kMissing;
+  const auto axis =
+      static_cast<std::size_t>(quantity) - static_cast<std::size_t>(Quantity::extent_x);
+  if (axis < bound.size()) return log_positive(bound[axis]);
+  if (quantity == Quantity::volume) {
+    return log_positive(bound[0] + 1) + log_positive(bound[1] + 1) + log_positive(bound[2] + 1);
   }
+  if (quantity != Quantity::longest_side) return kMissing;
+  const bool is_whole = std::ranges::none_of(bound, [](double b) { return std::isnan(b); });
+  return is_whole ? log_positive(std::ranges::max(bound)) : kMissing;
 }
 
 std::vector<double> SizeSample::log_values() const {

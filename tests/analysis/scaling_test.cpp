@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "analysis/synthetic.h"
-#include "ar3d/analysis/scaling/power_law.h"
 
 namespace ar3d::testing {
 namespace {

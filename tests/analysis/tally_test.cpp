@@ -9,7 +9,6 @@
 #include "ar3d/analysis/report.h"
 #include "ar3d/analysis/scaling.h"
 #include "ar3d/analysis/statistics.h"
-#include "ar3d/analysis/study_analysis.h"
 #include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d::testing {

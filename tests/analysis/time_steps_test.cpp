@@ -1,9 +1,8 @@
 // Times over results: what changed, what did not, and the rates that docs/history.md states.
-#include "ar3d/analysis/history/time_steps.h"
-
 #include <cmath>
 #include <cstdio>
 
+#include "ar3d/analysis/history/history.h"
 #include "synthetic.h"
 
 namespace ar3d::testing {
