@@ -148,7 +148,7 @@ void ChangingOwners::change(const Order& order, const std::vector<Vertex>& verti
     if (i + kAhead < vertices.size()) ask_for(vertices[i + kAhead]);
     if (set_sides(order, vertices[i])) touched.push_back(vertices[i]);
   }
-  if (touched.size() > rows_.size() / 10) {
+  if (touched.size() > rows_.size() / 8) {
     crowded_.clear();
     return search_all();
   }
