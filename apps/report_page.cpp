@@ -111,10 +111,10 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
     if (!drawing) continue;
     const Algorithm& algorithm = find_algorithm(row.algorithm);
     const std::string& name = row.graph_name;  // stands first: what a narrow list does not cut
-    const std::string title = fmt::format(
-        "{}{}{}{}{}, n = {}{}", family_label(curve_of(row)), name.empty() ? "" : ", ", name,
-        row.options.empty() ? "" : ", ", row.options, row.n,
-        name.empty() ? fmt::format(", seed {}", row.seed) : "");
+    const std::string title =
+        fmt::format("{}{}{}{}{}, n = {}{}", family_label(curve_of(row)), name.empty() ? "" : ", ",
+                    name, row.options.empty() ? "" : ", ", row.options, row.n,
+                    name.empty() ? fmt::format(", seed {}", row.seed) : "");
     page.add(page_entry(title, *drawing, &algorithm.guarantee, page_verdict(*drawing, &algorithm)));
     shown.page_of_row.emplace(place, shown.page_of_row.size());
   }
