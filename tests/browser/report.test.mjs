@@ -404,14 +404,13 @@ test("it reads at 1280 and 390 pixels, light and dark", async () => {
   }
   await page.setViewportSize({width: 1280, height: 900});
   const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-  /// One name of a series in each of the colours that there are, beside those of the page.
-  const namePale = () => page.evaluate(() => document.querySelector("g.ends").append(...Array.from({length: 8}, (_, i) => {
+  // One name of a series in each of the colours that there are, beside those of the page.
+  await page.evaluate(() => document.querySelector("g.ends").append(...Array.from({length: 8}, (_, i) => {
     const name = document.createElementNS("http://www.w3.org/2000/svg", "text");
     name.setAttribute("fill", `var(--t${i})`);
     name.textContent = "series";
     return name;
   })));
-  await namePale();
   const light = await background();
   assert.deepEqual(await paleTexts(page), []);
   await page.emulateMedia({colorScheme: "dark"});
