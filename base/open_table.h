@@ -12,8 +12,8 @@
 
 namespace ar3d {
 
-/// Holds named rows of one kind ("algorithm", "family", "metric"): the project's own, and those that
-/// a program built on its library adds. References to rows stay valid.
+/// Holds named rows of one kind ("algorithm", "family", "metric"): the project's own, and those
+/// that a program built on its library adds. References to rows stay valid.
 template <typename Row>
 class OpenTable {
  public:

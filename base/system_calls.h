@@ -48,7 +48,8 @@ struct ChildSetup {
 };
 
 /// Represents a child process in a process group of its own, without a core file. It ends with this
-/// object, and so does all that it has started, unless that has left the group. To be used by one thread.
+/// object, and so does all that it has started, unless that has left the group. To be used by one
+/// thread.
 class Child {
  public:
   Child() = default;

@@ -102,17 +102,4 @@ inline std::vector<LeftOutRepair> left_out_repairs() {
   };
 }
 
-/// Every vertex of a cubic graph becomes a triangle.
-inline Graph truncated(const Graph& graph) {
-  std::vector<Edge> edges;
-  std::vector<Vertex> used(graph.num_vertices());
-  for (const Edge e : graph.edges()) {
-    edges.push_back({3 * e.u + used[e.u]++, 3 * e.v + used[e.v]++});
-  }
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    edges.insert(edges.end(), {{3 * v, 3 * v + 1}, {3 * v + 1, 3 * v + 2}, {3 * v, 3 * v + 2}});
-  }
-  return Graph(3 * std::uint64_t{graph.num_vertices()}, std::move(edges));
-}
-
 }  // namespace ar3d::testing
