@@ -133,8 +133,8 @@ class SlabSweep {
     divide(share(kSlabs));
     std::array<std::vector<ReachingSegment>, 2> active;  // middles, stubs
     for (std::size_t slab = 0; slab < bottom_.size(); ++slab) {
-      for (std::uint32_t i = begin_[slab]; i < begin_[slab + 1]; ++i) {
-        active[by_slab_[i] < middles_.size() ? 0 : 1].push_back(started(by_slab_[i]));
+      for (const std::uint32_t i : begins_[slab]) {
+        active[i < middles_.size() ? 0 : 1].push_back(started(i));
       }
       const bool is_last = slab + 1 == bottom_.size();
       const std::int64_t top = is_last ? box_.high().z : bottom_[slab + 1];
@@ -173,32 +173,18 @@ class SlabSweep {
     return i < middles_.size() ? middles_[i] : stubs_[i - middles_.size()];
   }
 
-  /// Into slabs in which about equally many segments begin.
+  /// Into slabs in which about equally many segments begin, as stubs come upwards.
   void divide(std::size_t slabs) {
-    const auto all = static_cast<std::uint32_t>(middles_.size() + stubs_.size());
-    constexpr std::size_t kSamples = 8;  // a slab
-    const auto step = static_cast<std::uint32_t>(all / (slabs * kSamples) + 1);
-    std::vector<std::int64_t> sample;
-    for (std::uint32_t i = 0; i < all; i += step) sample.push_back(segment(i).at.from.z);
-    std::sort(sample.begin(), sample.end());
     bottom_ = {box_.low().z};
-    for (std::size_t i = kSamples; i < sample.size(); i += kSamples) {
-      if (sample[i] > bottom_.back()) bottom_.push_back(sample[i]);
+    for (std::size_t i = 1; i < slabs; ++i) {
+      const std::int64_t z = stubs_[stubs_.size() * i / slabs].at.from.z;
+      if (z > bottom_.back()) bottom_.push_back(z);
     }
-    std::vector<std::uint32_t> slab_of(all);
-    begin_.assign(bottom_.size() + 2, 0);
-    auto above = bottom_.begin() + 1;  // the slab's: often the same as before
-    for (std::uint32_t i = 0; i < all; ++i) {
-      const std::int64_t z = segment(i).at.from.z;
-      if (z < *(above - 1) || (above != bottom_.end() && z >= *above)) {
-        above = std::upper_bound(bottom_.begin(), bottom_.end(), z);
-      }
-      slab_of[i] = static_cast<std::uint32_t>(above - bottom_.begin()) - 1;
-      ++begin_[slab_of[i] + 2];
+    begins_.resize(bottom_.size());
+    for (std::uint32_t i = 0; i < middles_.size() + stubs_.size(); ++i) {
+      const auto above = std::upper_bound(bottom_.begin(), bottom_.end(), segment(i).at.from.z);
+      begins_[static_cast<std::size_t>(above - bottom_.begin()) - 1].push_back(i);
     }
-    for (std::size_t slab = 2; slab < begin_.size(); ++slab) begin_[slab] += begin_[slab - 1];
-    by_slab_.resize(all);
-    for (std::uint32_t i = 0; i < all; ++i) by_slab_[begin_[slab_of[i] + 1]++] = i;
   }
 
   ReachingSegment started(std::uint32_t index) const {
@@ -310,10 +296,10 @@ class SlabSweep {
   const std::vector<DrawnSegment>& stubs_;  ///< by index behind the middles
   std::uint32_t columns_, rows_;
   GrowingBox box_;
-  double per_x_, per_y_;                        ///< cells in a unit of length
-  std::vector<std::int64_t> bottom_;            ///< of each slab
-  std::vector<std::uint32_t> by_slab_, begin_;  ///< what begins in each slab
-  std::vector<CellEntry> entries_, sorted_;     ///< sorted by cell
+  double per_x_, per_y_;                            ///< cells in a unit of length
+  std::vector<std::int64_t> bottom_;                ///< of each slab
+  std::vector<std::vector<std::uint32_t>> begins_;  ///< what begins in each slab
+  std::vector<CellEntry> entries_, sorted_;         ///< sorted by cell
   std::vector<std::uint32_t> end_of_cell_;
   std::array<std::vector<std::uint16_t>, 6> lines_;  ///< of one cell, by component
   std::array<std::uint16_t, kBlock> is_coplanar_{};

@@ -81,17 +81,6 @@ TEST(TwoBend109Mutation, CornersOfACycleNeedTheirOwnStance) {
   EXPECT_THROW(placed(s), InternalError);
 }
 
-TEST(TwoBend109Mutation, WithOnePointForEachVertexSomeGraphMeetsItself) {
-  std::size_t failed = 0;
-  for (const Graph& graph : testing::geng("-c -D4 7")) {
-    Stages s{graph, find_partition(graph), {}, {}};
-    s.arrangement = arrange(graph, s.parts);
-    s.layout = lay_out(graph, s.parts, s.arrangement, {1});
-    if (!placed(s)) ++failed;
-  }
-  EXPECT_GT(failed, 0u);
-}
-
 // The verifier sees what the construction must not do.
 TEST(TwoBend109Mutation, AMovedBendIsFound) {
   const Graph graph = testing::octahedron();

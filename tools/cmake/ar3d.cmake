@@ -24,7 +24,7 @@ endif()
 # of a compiler's time goes into the same headers and templates again and again. So names in anonymous namespaces are unique
 # within a folder and its namespace. A source with options of its own, or in AR3D_ALONE, is compiled alone.
 set(AR3D_ALONE apps/one_rank.cpp  # linked only where nobody else defines join_ranks()
-    verify/predicates/widths.cpp verify/crossings/crossings_slabs.cpp)
+    verify/predicates/widths.cpp verify/crossings/crossings.cpp)
 option(AR3D_TOGETHER "Compile the sources of a folder together" ON)
 function(ar3d_together target most)
   set(group 0)

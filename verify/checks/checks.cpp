@@ -36,39 +36,33 @@ bool same_list(const Graph& graph, const Drawing& drawing) {
   return true;
 }
 
-void add_missing(const Named& edge, Findings& findings) {
-  findings.add(ViolationKind::edge_set, {edge.low, edge.high}, {}, {},
-               "the graph's edge {} ({}-{}) is not drawn", edge.id, edge.low, edge.high);
-}
-
-void add_extra(const Named& edge, Findings& findings) {
-  findings.add(ViolationKind::edge_set, {edge.low, edge.high}, {edge.id}, {},
-               "edge {} ({}-{}) of the drawing is not an edge of the graph", edge.id, edge.low,
-               edge.high);
-}
-
-void add_repeated(const Named& edge, EdgeId first, Findings& findings) {
-  findings.add(ViolationKind::edge_set, {edge.low, edge.high}, {first, edge.id}, {},
-               "edges {} and {} of the drawing both join {} and {}", first, edge.id, edge.low,
-               edge.high);
-}
-
 /// Both lists sorted: a merge tells missing, extra and repeated edges apart.
 void merge(const std::vector<Named>& wanted, const std::vector<Named>& drawn, Findings& findings) {
+  const auto add = [&](const Named& edge, std::vector<EdgeId> ids, const std::string& message) {
+    findings.add({ViolationKind::edge_set, {edge.low, edge.high}, std::move(ids), {}, message});
+  };
+  const auto add_missing = [&](const Named& edge) {
+    add(edge, {},
+        fmt::format("the graph's edge {} ({}-{}) is not drawn", edge.id, edge.low, edge.high));
+  };
   std::size_t next = 0;
   for (std::size_t i = 0; i < drawn.size() && !findings.done(); ++i) {
+    const auto& [low, high, id] = drawn[i];
     while (next < wanted.size() && wanted[next].ends() < drawn[i].ends()) {
-      add_missing(wanted[next++], findings);
+      add_missing(wanted[next++]);
     }
     if (i > 0 && drawn[i - 1].ends() == drawn[i].ends()) {
-      add_repeated(drawn[i], drawn[i - 1].id, findings);
+      add(drawn[i], {drawn[i - 1].id, id},
+          fmt::format("edges {} and {} of the drawing both join {} and {}", drawn[i - 1].id, id,
+                      low, high));
     } else if (next < wanted.size() && wanted[next].ends() == drawn[i].ends()) {
       ++next;
     } else {
-      add_extra(drawn[i], findings);
+      add(drawn[i], {id},
+          fmt::format("edge {} ({}-{}) of the drawing is not an edge of the graph", id, low, high));
     }
   }
-  while (next < wanted.size() && !findings.done()) add_missing(wanted[next++], findings);
+  while (next < wanted.size() && !findings.done()) add_missing(wanted[next++]);
 }
 
 void check_edges(const Graph& graph, const Drawing& drawing, Findings& findings) {

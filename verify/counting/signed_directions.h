@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -10,7 +11,8 @@
 
 namespace ar3d::verify {
 
-/// Directions numbered in the order in which they are added. A direction and its opposite share an
+/// Directions numbered in the order in which they are added, up to the limits of the proof by
+/// counting; others get no number. A direction and its opposite share an
 /// index; an id is 2 * index, plus 1 for the opposite sense.
 class SignedDirections {
  public:
@@ -24,7 +26,26 @@ class SignedDirections {
   };
 
   /// Gives d's direction a number, if it has none and keeps the limits. @pre d is not zero.
-  void add(Vector d);
+  void add(Vector d) {
+    const Vector direction = primitive(d);
+    std::int64_t step = kMaxComponent;
+    Vector unit;
+    for (const Vector axis : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
+      const std::int64_t product =
+          direction.x * axis.x + direction.y * axis.y + direction.z * axis.z;
+      const std::int64_t size = std::abs(product);
+      if (size >= kMaxComponent) return;
+      if (size == 0 || size >= step) continue;
+      step = size;
+      unit = product > 0 ? axis : -axis;
+    }
+    if (directions_.size() == kMaxIndices || find(direction).known) return;
+    const auto id = static_cast<std::uint8_t>(2 * directions_.size());
+    directions_.push_back(direction);
+    classes_[sense(direction)].push_back({direction, unit, step, id});
+    classes_[sense(-direction)].push_back(
+        {-direction, -unit, step, static_cast<std::uint8_t>(id + 1)});
+  }
   /// The zero vector is not known. @pre d's components are below 2^31 in absolute value.
   Found find(Vector d) const {
     for (const Known& known : classes_[sense(d)]) {

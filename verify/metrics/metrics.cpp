@@ -41,8 +41,8 @@ MetricValue edges_with_at_least(Summary summary) {
   return edges;
 }
 
-template <double DrawingSummary::*member>
-MetricValue number(Summary summary) {
+template <auto member>
+MetricValue value_of(Summary summary) {
   return summary.*member;
 }
 
@@ -67,11 +67,6 @@ MetricValue share_within(Summary summary) {
   if (!summary.real || summary.real->angles == 0) return DrawingSummary::kNone;
   return static_cast<double>(summary.real->within[limit]) /
          static_cast<double>(summary.real->angles);
-}
-
-template <std::int64_t DrawingSummary::*member>
-MetricValue integer(Summary summary) {
-  return summary.*member;
 }
 
 // In a real type pairs of segments, else what the certificate lists.
@@ -103,12 +98,12 @@ std::vector<Metric> make_metrics() {
       {"bends_6", "edges", "edges with six bends", int64, edges_with<6>},
       {"bends_7", "edges", "edges with seven or more bends", int64, edges_with_at_least<7>},
       {"total_edge_length", kLengthUnit, "sum of the lengths of all edges", float64,
-       number<&DrawingSummary::total_edge_length>},
+       value_of<&DrawingSummary::total_edge_length>},
       {"longest_edge_length", kLengthUnit, "length of the longest edge", float64,
-       number<&DrawingSummary::longest_edge_length>},
+       value_of<&DrawingSummary::longest_edge_length>},
       {"smallest_vertex_distance", kLengthUnit,
        "distance of the closest pair of vertices; missing if n < 2", float64,
-       number<&DrawingSummary::smallest_vertex_distance>},
+       value_of<&DrawingSummary::smallest_vertex_distance>},
       {"angle_miss", "degrees",
        "in a real type: largest miss of an angle (120 degrees at vertices of degree 3, at least "
        "that elsewhere), exact inner products rounded once",
@@ -132,23 +127,23 @@ std::vector<Metric> make_metrics() {
       {"log2_relative_volume", "log2",
        "sum of log2(side / smallest vertex distance + 1) over the three sides of the box; missing "
        "if n < 2 or vertices coincide",
-       float64, number<&DrawingSummary::log2_relative_volume>},
+       float64, value_of<&DrawingSummary::log2_relative_volume>},
       {"crossings", "1",
        "pairs of segments with a common point that is no common end of theirs, vertices on edges "
        "and coinciding vertices, counted exactly",
        int64, crossings},
       {"smallest_vertex_angle", "degrees", "smallest angle between two segments at a vertex",
-       float64, number<&DrawingSummary::smallest_vertex_angle>},
+       float64, value_of<&DrawingSummary::smallest_vertex_angle>},
       {"smallest_bend_angle", "degrees", "smallest angle between two segments at a bend", float64,
-       number<&DrawingSummary::smallest_bend_angle>},
+       value_of<&DrawingSummary::smallest_bend_angle>},
       {"optimal_edges", "edges",
        "edges all of whose angles are at least the optimum (120 degrees up to maximum degree 3, "
        "arccos(-1/3) for 4), decided exactly; missing beyond",
-       int64, integer<&DrawingSummary::optimal_edges>},
+       int64, value_of<&DrawingSummary::optimal_edges>},
       {"volume_at_least", "cubic lattice units",
        "no drawing of this graph that keeps the algorithm's guarantee has a box of fewer lattice "
        "points (docs/lower-bounds.md); missing without a guarantee",
-       int64, integer<&DrawingSummary::volume_at_least>}};
+       int64, value_of<&DrawingSummary::volume_at_least>}};
 }
 
 OpenTable<Metric>& table() {

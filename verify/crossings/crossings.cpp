@@ -1,0 +1,104 @@
+// The two crossing tests. One compares every pair: it is the oracle, so it stays plain. The other
+// cuts at the heights that no segment crosses, and each slab by halving space (Steps V.12 to V.14),
+// as the proof by counting does with slanted segments.
+#include "ar3d/verify/crossings/crossings.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ar3d/verify/crossings/near_pairs.h"
+
+namespace ar3d::verify {
+namespace {
+
+/// A segment or a vertex, with its box.
+struct DrawnItem {
+  std::uint32_t number;
+  bool is_vertex;
+  Box box;
+};
+
+bool apart(const Box& a, const Box& b) {
+  return a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y ||
+         a.high.z < b.low.z || b.high.z < a.low.z;
+}
+
+/// All segments and then all vertices of the drawing.
+std::vector<DrawnItem> drawn_items(const Segments& segments) {
+  const Drawing& drawing = segments.drawing();
+  std::vector<DrawnItem> items;
+  items.reserve(segments.size() + drawing.num_vertices());
+  for (SegmentId s = 0; s < segments.size(); ++s) {
+    GrowingBox box;
+    box.add(segments.from(s));
+    box.add(segments.to(s));
+    items.push_back({s, false, box.box()});
+  }
+  for (Vertex v = 0; v < drawing.num_vertices(); ++v) {
+    items.push_back({v, true, {drawing.vertex(v), drawing.vertex(v)}});
+  }
+  return items;
+}
+
+/// Compares a segment with a segment or vertex that it may meet, unless their boxes are apart; the
+/// check of the vertices sees two vertices.
+void examine_pair(const DrawnItem& a, const DrawnItem& b, Contacts& contacts) {
+  if ((a.is_vertex && b.is_vertex) || apart(a.box, b.box)) return;
+  if (a.is_vertex) {
+    contacts.examine_vertex(a.number, b.number);
+  } else if (b.is_vertex) {
+    contacts.examine_vertex(b.number, a.number);
+  } else {
+    contacts.examine(a.number, b.number);
+  }
+}
+
+void examine_slab(const Segments& segments, std::span<const DrawnItem> items, Contacts& contacts) {
+  const auto at = [&](std::uint32_t i) {
+    if (items[i].is_vertex) return SegmentInSpace{items[i].box.low, {}};
+    return SegmentInSpace{segments.from(items[i].number), segments.direction(items[i].number)};
+  };
+  const auto visit = [&](std::uint32_t i, std::uint32_t j) {
+    examine_pair(items[i], items[j], contacts);
+    return !contacts.done();
+  };
+  constexpr std::size_t kFew = 48;  // items in a cell
+  contacts.spend(for_each_near_pair(static_cast<std::uint32_t>(items.size()), at, visit, kFew,
+                                    contacts.comparisons_left()));
+}
+
+}  // namespace
+
+/// Every pair whose boxes meet: the boxes are taken by least x, and all others that begin before
+/// one ends are looked at. A vertex is a box, too. Quadratic, but most segments of a tall drawing
+/// are narrow.
+void test_all_pairs(const Segments& segments, Contacts& contacts) {
+  std::vector<DrawnItem> items = drawn_items(segments);
+  std::sort(items.begin(), items.end(),
+            [](const DrawnItem& a, const DrawnItem& b) { return a.box.low.x < b.box.low.x; });
+  for (std::size_t i = 0; i < items.size() && !contacts.done(); ++i) {
+    for (std::size_t j = i + 1; j < items.size(); ++j) {
+      if (items[j].box.low.x > items[i].box.high.x) break;
+      examine_pair(items[i], items[j], contacts);
+    }
+  }
+}
+
+void test_by_slabs(const Segments& segments, Contacts& contacts) {
+  std::vector<DrawnItem> items = drawn_items(segments);
+  std::sort(items.begin(), items.end(),
+            [](const DrawnItem& a, const DrawnItem& b) { return a.box.low.z < b.box.low.z; });
+  for (std::size_t begin = 0; begin < items.size() && !contacts.done();) {
+    std::int64_t highest = items[begin].box.high.z;
+    std::size_t end = begin + 1;
+    for (; end < items.size() && items[end].box.low.z <= highest; ++end) {
+      highest = std::max(highest, items[end].box.high.z);
+    }
+    examine_slab(segments, std::span(items).subspan(begin, end - begin), contacts);
+    begin = end;
+  }
+}
+
+}  // namespace ar3d::verify
