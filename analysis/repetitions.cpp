@@ -9,7 +9,6 @@
 
 #include "ar3d/analysis/check.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/store/columns/asked_certificate.h"
 
 namespace ar3d {
 

@@ -36,7 +36,7 @@ std::string draw_command(const RunRecord& run) {
 }
 
 ShowCommand::ShowCommand(const RowView& rows) : file_(rows.file) {
-  for (const GraphFileRecord& file : graph_file_records(*rows.identity)) {
+  for (const GraphFileRecord& file : side_records<GraphFileRecord>(*rows.identity)) {
     families_.insert(file.name);
   }
   constexpr std::string_view kProgram = "program_";

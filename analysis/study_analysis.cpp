@@ -51,7 +51,7 @@ void add_volume(const CurveTally& curve, BoundsEntry& entry) {
 }
 
 void refuse_laws_above_theorems(const StudyIdentity& identity, std::vector<ScalingEntry>& scaling) {
-  const std::vector<AlgorithmRecord> records = algorithm_records(identity);
+  const std::vector<AlgorithmRecord> records = side_records<AlgorithmRecord>(identity);
   for (ScalingEntry& entry : scaling) {
     const AlgorithmRecord* record =
         find_algorithm_record(records, entry.key.algorithm, entry.key.options);
@@ -66,7 +66,7 @@ void refuse_laws_above_theorems(const StudyIdentity& identity, std::vector<Scali
 
 std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdentity& study) {
   std::vector<BoundsEntry> entries;
-  const std::vector<AlgorithmRecord> algorithms = algorithm_records(study);
+  const std::vector<AlgorithmRecord> algorithms = side_records<AlgorithmRecord>(study);
   for (const CurveTally& curve : tally.curves) {
     BoundsEntry entry;
     static_cast<CurveCounts&>(entry) = static_cast<const CurveCounts&>(curve);

@@ -97,7 +97,8 @@ struct OpenGraph {
 /// Takes the rows one after the other.
 class Tallying {
  public:
-  explicit Tallying(const StudyIdentity& study) : algorithms_(algorithm_records(study)) {}
+  explicit Tallying(const StudyIdentity& study)
+      : algorithms_(side_records<AlgorithmRecord>(study)) {}
   void add(const RunRecord& run, std::size_t row, bool is_last);
   StudyTally finish();
 

@@ -100,7 +100,7 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
   const std::size_t empty = text.size();
   const StudyOrigin origin = study_origin(*analysis.rows.identity);
   std::set<std::string> too_large;  // files that a page does not read
-  for (const GraphFileRecord& file : graph_file_records(*analysis.rows.identity)) {
+  for (const GraphFileRecord& file : side_records<GraphFileRecord>(*analysis.rows.identity)) {
     if (file.graphs > kMostGraphs) too_large.insert(file.name);
   }
   for (const std::size_t place : rows_to_show(analysis, kMostDrawings, kMostEdges)) {

@@ -34,7 +34,7 @@ std::int64_t planned_rows(const std::string& file, const StudyIdentity& identity
 
 nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIdentity& identity) {
   nlohmann::ordered_json skipped = nlohmann::ordered_json::array();
-  for (const SkippedFile& file : skipped_file_records(identity)) {
+  for (const SkippedFile& file : side_records<SkippedFile>(identity)) {
     skipped.push_back({{"collection", file.name}, {"file", file.file}, {"reason", file.reason}});
   }
   const FileCounts files = file_counts(identity);
@@ -87,13 +87,13 @@ Standing standing_now(const std::string& file) {
   const std::string results = results_path_of(file);
   Standing standing;
   if (rows_are_in_results(results)) {
-    const ResultsReader reader(results, run_format());
+    const RunReader reader(results);
     standing.identity = reader.identity();
     standing.rows = reader.size();
     return standing;
   }
   for (const std::string& path : existing_journals(results)) {
-    const JournalStatus status = journal_status(path, run_format());
+    const JournalStatus status = journal_status(path);
     if (standing.journals++ == 0) standing.identity = status.identity;
     standing.rows += status.rows;
     standing.not_ok += status.not_ok;
@@ -207,7 +207,7 @@ int show(const StatusArguments& arguments) {
 }  // namespace
 
 struct StudyRows::Journals {
-  RowCollection rows{run_format()};
+  RowCollection rows;
   std::vector<AlgorithmRecord> algorithms;
   std::vector<char> record = std::vector<char>(run_record_size());
   RunRecord run;
@@ -241,7 +241,7 @@ void StudyRows::view_journals(const std::string& file, const std::string& result
   for (const std::string& journal : existing_journals(results)) journals_->rows.add(journal);
   journals_->rows.close();
   const StudyIdentity& identity = journals_->rows.identity();
-  journals_->algorithms = algorithm_records(identity);
+  journals_->algorithms = side_records<AlgorithmRecord>(identity);
   view_.identity = &identity;
   view_.environment = &journals_->rows.environment();
   view_.count = journals_->rows.size();

@@ -5,7 +5,7 @@
 
 #include <charconv>
 
-#include "ar3d/store/columns/row_format.h"
+#include "ar3d/store/columns/row_key.h"
 
 namespace ar3d {
 

@@ -74,7 +74,7 @@ ReadResults read_one(const fs::path& path) {
   read.commit.source_hash = reader.identity().source_hash;
   read.commit.study = reader.identity().study_id;
   read.commit.created = reader.identity().created;
-  read.files = graph_file_records(reader.identity());
+  read.files = side_records<GraphFileRecord>(reader.identity());
   read.environment = lasting_settings(reader.environment());
   read.table = cell_values(view_of(reader));
   read.commit.unfinished = read.table.unfinished;

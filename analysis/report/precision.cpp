@@ -4,7 +4,6 @@
 
 #include "ar3d/analysis/report/sections.h"
 #include "ar3d/analysis/statistics.h"
-#include "ar3d/store/columns/asked_certificate.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d::report {

@@ -43,7 +43,8 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
     entries[static_cast<std::size_t>(entry.quantity)] = &entry;
   }
   const ShowCommand commands(analysis.rows);
-  const std::vector<AlgorithmRecord> records = algorithm_records(*analysis.rows.identity);
+  const std::vector<AlgorithmRecord> records =
+      side_records<AlgorithmRecord>(*analysis.rows.identity);
   std::vector<Section> sections;
   std::map<std::string, std::size_t> index_of;
   for (std::size_t place = 0; place < analysis.bounds.size(); ++place) {

@@ -21,7 +21,7 @@ void add_study(TableMaker& make) {
                            make.analysis.rows.file, study.spec_hash, study.spec, tally.kept_graphs,
                            tally.left_out_rows, files.read, files.given});
   Table& skipped = make.table("skipped_files");
-  for (const SkippedFile& file : skipped_file_records(study)) {
+  for (const SkippedFile& file : side_records<SkippedFile>(study)) {
     skipped.add({file.name, file.file, file.reason});
   }
 }

@@ -14,6 +14,7 @@
 #include "ar3d/base/random.h"
 #include "ar3d/base/system_calls.h"
 #include "ar3d/formats/catalog.h"
+#include "ar3d/formats/graphs/graph6.h"
 
 namespace ar3d {
 namespace {
@@ -21,43 +22,11 @@ namespace {
 constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
 constexpr std::size_t kHeadBytes = sizeof(std::uint64_t);  // how many bytes follow
 
-void put(std::vector<char>& bytes, std::uint64_t value) {
-  for (; value >= 128; value >>= 7) bytes.push_back(static_cast<char>(value | 128));
-  bytes.push_back(static_cast<char>(value));
-}
-
-std::uint64_t take(std::span<const char>& bytes) {
-  std::uint64_t value = 0;
-  for (unsigned shift = 0;; shift += 7) {
-    expect(!bytes.empty() && shift < 64, "a spooled graph is whole");
-    const auto byte = static_cast<unsigned char>(bytes.front());
-    bytes = bytes.subspan(1);
-    value |= std::uint64_t{byte & 127u} << shift;
-    if (byte < 128) return value;
-  }
-}
-
-// Edges ascend by (u, v), u < v.
-void put_graph(std::vector<char>& bytes, const Graph& graph) {
-  put(bytes, graph.num_vertices());
-  put(bytes, graph.num_edges());
-  Vertex u = 0;
-  for (const Edge edge : graph.edges()) {
-    put(bytes, edge.u - u);
-    put(bytes, edge.v - edge.u);
-    u = edge.u;
-  }
-}
-
-Graph take_graph(std::span<const char> bytes) {
-  const std::uint64_t n = take(bytes);
-  std::vector<Edge> edges(take(bytes));
-  Vertex u = 0;
-  for (Edge& edge : edges) {
-    u += static_cast<Vertex>(take(bytes));
-    edge = {u, u + static_cast<Vertex>(take(bytes))};
-  }
-  return Graph(n, std::move(edges));
+// Of a line of sparse6. @param place  where it stands, for messages. @param most  vertices.
+Graph graph_of_line(std::string line, const std::string& place, std::uint64_t most) {
+  GraphReader reader(TextInput(place, bytes_of(std::move(line))),
+                     {.format = "sparse6", .free_vertices = most});
+  return std::move(*reader.next());
 }
 
 void read_all(int file, std::span<char> to, std::uint64_t offset, const std::string& name) {
@@ -86,7 +55,7 @@ std::uint64_t Spool::append(const Graph& graph) {
   const std::uint64_t offset = end_;
   const std::size_t head = buffer_.size();
   buffer_.resize(head + kHeadBytes);
-  put_graph(buffer_, graph);
+  append_sparse6(buffer_, graph);
   const std::uint64_t length = buffer_.size() - head - kHeadBytes;
   std::memcpy(buffer_.data() + head, &length, kHeadBytes);
   end_ += kHeadBytes + length;
@@ -110,10 +79,13 @@ Graph Spool::read(std::uint64_t offset) const {
   std::uint64_t length = 0;
   std::memcpy(&length, start.data(), kHeadBytes);
   expect(length <= there - kHeadBytes, "a spooled graph stands in the file");
-  if (kHeadBytes + length <= first) return take_graph({start.data() + kHeadBytes, length});
-  std::vector<char> bytes(length);
-  read_all(file_.get(), {bytes.data(), length}, offset + kHeadBytes, name_);
-  return take_graph(bytes);
+  std::string line(length, ' ');
+  if (kHeadBytes + length <= first) {
+    std::memcpy(line.data(), start.data() + kHeadBytes, length);
+  } else {
+    read_all(file_.get(), line, offset + kHeadBytes, name_);
+  }
+  return graph_of_line(std::move(line), name_, std::uint64_t{1} << 32);
 }
 
 std::string CorpusOptions::text() const {
@@ -136,12 +108,13 @@ class Corpus::Scan {
     if (file.held) return take_held(file);
     const std::size_t taken_before = corpus_.entries_.size();
     const std::uint64_t graphs_before = corpus_.graphs_in_file_;
-    ReadFile read{file.name, file.group, {}, static_cast<std::uint32_t>(corpus_.graphs_in_file_)};
+    const auto first = static_cast<std::int64_t>(graphs_before);
+    CollectedFile read{"", file.file, file.group, "", first};
     HashStream hash;
     std::string problem;
     std::optional<GraphReader> reader;
     while (const std::optional<Graph> graph = next_graph(file, reader, problem)) take(*graph, hash);
-    read.graphs = static_cast<std::uint32_t>(corpus_.graphs_in_file_) - read.first_place;
+    read.graphs = static_cast<std::int64_t>(corpus_.graphs_in_file_) - first;
     if (!problem.empty()) {
       if (read.graphs > 0) problem += fmt::format(" (the {} graphs before are taken)", read.graphs);
       const std::size_t path = file.file.empty() ? std::string::npos : problem.find(file.path);
@@ -151,8 +124,8 @@ class Corpus::Scan {
     const auto known = held_.find(file.file);
     if (known != held_.end()) known->second.is_there = true;
     if (read.graphs == 0) return;
-    read.identity.file_hash = hash.digest();
-    if (known != held_.end() && known->second.hashes.contains(read.identity.file_hash)) {
+    read.hash = hash.digest();
+    if (known != held_.end() && known->second.hashes.contains(read.hash)) {
       corpus_.entries_.resize(taken_before);  // what the spool has more is never asked for
       corpus_.graphs_in_file_ = graphs_before;
       return;
@@ -160,7 +133,7 @@ class Corpus::Scan {
     const std::string& shown = file.file.empty() ? file.path : file.file;
     if (known != held_.end()) corpus_.growth_.changed.push_back(shown);
     if (known == held_.end() && !held_.empty()) corpus_.growth_.added.push_back(shown);
-    add(file.file, std::move(read));
+    add(file.name, std::move(read));
   }
 
   void finish(bool has_looked) {
@@ -184,11 +157,9 @@ class Corpus::Scan {
     bool is_there = false;
   };
 
-  void add(const std::string& file, ReadFile read) {
-    read.identity.copy = copies_[read.identity.file_hash]++;
-    corpus_.records_.push_back(
-        {"", file, read.group, read.identity.file_hash, read.first_place, read.graphs});
-    corpus_.files_.push_back(std::move(read));
+  void add(const std::string& name, CollectedFile file) {
+    corpus_.names_.push_back({name, copies_[file.hash]++});
+    corpus_.files_.push_back(std::move(file));
   }
 
   /// Its places are those that it had.
@@ -201,17 +172,11 @@ class Corpus::Scan {
                                    record.graphs, record.first, printable(record.file)));
     }
     for (const auto& [place, line] : file.held->lines) {
-      GraphReader reader(TextInput("/graphs", bytes_of(line + "\n")),
-                         {.format = "sparse6", .free_vertices = kMostHeldVertices});
-      keep(*reader.next(), place);
+      keep(graph_of_line(line + "\n", "/graphs", kMostHeldVertices), place);
     }
     corpus_.graphs_in_file_ = first + graphs;
     held_[record.file].hashes.insert(record.hash);
-    add(record.file, {file.name,
-                      file.group,
-                      {record.hash, 0, 0},
-                      static_cast<std::uint32_t>(first),
-                      static_cast<std::uint32_t>(graphs)});
+    add(file.name, {"", record.file, file.group, record.hash, record.first, record.graphs});
   }
 
   void keep(const Graph& graph, std::uint64_t place) {
@@ -257,11 +222,11 @@ class Corpus::Scan {
   }
 
   std::string hash_of_files() const {
-    const std::vector<ReadFile>& files = corpus_.files_;
-    if (files.size() == 1 && files[0].name.empty()) return files[0].identity.file_hash;
+    const std::vector<CollectedFile>& files = corpus_.files_;
+    if (files.size() == 1 && corpus_.names_[0].name.empty()) return files[0].hash;
     std::string text;
-    for (const ReadFile& file : files) {
-      text += fmt::format("{}\n{}\n{}\n", file.name, file.group, file.identity.file_hash);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      text += fmt::format("{}\n{}\n{}\n", corpus_.names_[i].name, files[i].group, files[i].hash);
     }
     return content_hash(text);
   }
@@ -307,33 +272,28 @@ Corpus::Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& option
   scan.finish(options.looks_again);
 }
 
-const Corpus::ReadFile& Corpus::file_of(std::uint32_t place) const {
+std::size_t Corpus::file_of(std::uint32_t place) const {
   const auto behind = std::upper_bound(
       files_.begin(), files_.end(), place,
-      [](std::uint32_t wanted, const ReadFile& file) { return wanted < file.first_place; });
-  return *std::prev(behind);
+      [](std::uint32_t wanted, const CollectedFile& file) { return wanted < file.first; });
+  return static_cast<std::size_t>(behind - files_.begin()) - 1;
 }
 
 GraphIdentity Corpus::identity(std::uint32_t place) const {
-  const ReadFile& file = file_of(place);
-  return {file.identity.file_hash, place - file.first_place, file.identity.copy};
+  const std::size_t file = file_of(place);
+  return {files_[file].hash, place - static_cast<std::uint32_t>(files_[file].first),
+          names_[file].copy};
 }
 
 std::string Corpus::graph_name(std::uint32_t place) const {
   constexpr std::size_t kMost = 96;
-  const ReadFile& file = file_of(place);
-  std::string name = file.name;
-  if (file.graphs > 1) name += fmt::format("#{}", place - file.first_place);
+  const std::size_t file = file_of(place);
+  std::string name = names_[file].name;
+  if (files_[file].graphs > 1) name += fmt::format("#{}", place - files_[file].first);
   if (name.size() <= kMost) return name;
   std::size_t begin = name.size() - (kMost - 3);
   while (begin < name.size() && (name[begin] & 0xc0) == 0x80) ++begin;  // between characters
   return "..." + name.substr(begin);
-}
-
-std::vector<std::string> Corpus::file_hashes() const {
-  std::vector<std::string> hashes;
-  for (const ReadFile& file : files_) hashes.push_back(file.identity.file_hash);
-  return hashes;
 }
 
 std::size_t Corpus::count_above(std::uint32_t max_degree) const {

@@ -16,8 +16,7 @@
 namespace ar3d {
 
 /// Represents graphs in a temporary file that has no name any more: it goes with the last process
-/// that has it open. Each is stored as n, m and the differences of its edges, 7 bits a byte: about
-/// 2 bytes an edge of a small graph.
+/// that has it open. Each is stored as a line of sparse6: about an edge a byte of a small graph.
 class Spool {
  public:
   /// @throws InputError if the folder for temporary files (TMPDIR, else /tmp) takes no file.
@@ -36,8 +35,8 @@ class Spool {
  private:
   std::string name_;  // that it had, for messages
   Descriptor file_;
-  std::uint64_t end_ = 0;     // of the file, buffer_ included
-  std::vector<char> buffer_;  // not written yet
+  std::uint64_t end_ = 0;  // of the file, buffer_ included
+  std::string buffer_;     // not written yet
 };
 
 /// Is a file as a study has read it before, with the graphs taken of it: lines of sparse6 by place.
@@ -106,15 +105,13 @@ class Corpus {
 
   const CorpusGrowth& growth() const { return growth_; }
   /// Returns the files with graphs, by place; their family has no name yet.
-  const std::vector<CollectedFile>& files() const { return records_; }
+  const std::vector<CollectedFile>& files() const { return files_; }
 
   /// Returns the identity of the graph at that place. O(log files).
   GraphIdentity identity(std::uint32_t place) const;
   /// The name of its file, "#3" behind it if that holds several; of 96 bytes at most, the last.
   std::string graph_name(std::uint32_t place) const;
-  const std::string& group(std::uint32_t place) const { return file_of(place).group; }
-  /// Hashes of the files' graphs, by place.
-  std::vector<std::string> file_hashes() const;
+  const std::string& group(std::uint32_t place) const { return files_[file_of(place)].group; }
   /// Returns how many of the graphs taken have a vertex of larger degree.
   std::size_t count_above(std::uint32_t max_degree) const;
 
@@ -142,20 +139,17 @@ class Corpus {
     std::uint32_t place = 0;
     std::uint32_t max_degree = 0;
   };
-  struct ReadFile {
-    std::string name;
-    std::string group;
-    GraphIdentity identity;  // of its first graph
-    std::uint32_t first_place = 0;
-    std::uint32_t graphs = 0;
+  struct FileName {
+    std::string name;        // of its graphs in rows
+    std::uint32_t copy = 0;  // how many files before it have the same graphs
   };
   class Scan;
-  const ReadFile& file_of(std::uint32_t place) const;
+  std::size_t file_of(std::uint32_t place) const;
 
   std::string path_;  // of the file being read, or of the last one
   std::string hash_;
-  std::vector<ReadFile> files_;         // those with graphs, by place
-  std::vector<CollectedFile> records_;  // of the same
+  std::vector<CollectedFile> files_;  // those with graphs, by place
+  std::vector<FileName> names_;       // of the same
   std::vector<SkippedFile> skipped_;
   CorpusGrowth growth_;
   std::uint64_t graphs_in_file_ = 0;

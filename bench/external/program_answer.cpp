@@ -1,12 +1,11 @@
 // Reads the answer of a foreign program. Decimal numbers become integers of one common unit, so
 // that its drawing is judged by the same exact code as ours.
-#include "ar3d/bench/external/program_answer.h"
-
 #include <fmt/format.h>
 
 #include <numeric>
 
 #include "ar3d/base/error.h"
+#include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/byte_source.h"
 

@@ -102,7 +102,7 @@ void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
   const auto read = [&](std::size_t i, char* record) { rows.read(gathered.places[i], record); };
   StudyIdentity described = identity;
   described.planned_rows = static_cast<std::int64_t>(gathered.places.size() + gathered.missing);
-  write_results(described, rows.environment(), run_format(), {gathered.places.size(), read}, path);
+  write_results(described, rows.environment(), gathered.places.size(), read, path);
 }
 
 void copy_rows(const RowCollection& rows, const std::vector<RunStatus>& but,
@@ -131,15 +131,15 @@ void copy_rows(const RowCollection& rows, const std::vector<RunStatus>& but,
 
 StudyOutcome merge_study(const std::vector<std::string>& parts, const std::string& output) {
   require_writable(output);
-  RowCollection rows(run_format());
+  RowCollection rows;
   for (const std::string& part : parts) rows.add(part);
   rows.close();
   require_one_division(rows.shards());
   require_one_program_each(rows.environment());
   const StudyPlan plan = plan_study(recorded_study(rows.identity(), parts.front()));
   const GatheredRows gathered = gather_rows(plan, rows);
-  StudyOutcome outcome{gathered.places.size(), gathered.missing, gathered.first_missing,
-                       missing_shards(rows.shards())};
+  StudyOutcome outcome = gathered.outcome();
+  outcome.missing_shards = missing_shards(rows.shards());
   if (!outcome.complete()) return outcome;
   StudyIdentity identity = rows.identity();
   identity.shard = {};

@@ -7,6 +7,7 @@
 
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/plan/plan.h"
+#include "ar3d/store/journal/journal_writer.h"
 #include "ar3d/store/row_collection.h"
 #include "ar3d/store/run_storage.h"
 
@@ -24,6 +25,7 @@ struct GatheredRows {
   std::vector<std::uint32_t> places;  ///< in the collection
   std::size_t missing = 0;            ///< required rows that it does not have
   std::string first_missing;          ///< key of the first of them
+  StudyOutcome outcome() const { return {places.size(), missing, first_missing, {}}; }
 };
 
 /// @throws InputError naming a row that the plan does not have.

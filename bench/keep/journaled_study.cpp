@@ -24,7 +24,7 @@
 namespace ar3d {
 namespace {
 RowCollection rows_so_far(const JournaledStudy& study) {
-  RowCollection rows(run_format());
+  RowCollection rows;
   for (const std::string& journal : existing_journals(study.results)) rows.add(journal);
   if (rows_are_in_results(study.results)) rows.add(study.results);
   rows.close();
@@ -40,7 +40,7 @@ StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& pla
   const RowCollection rows = rows_so_far(study);
   const GatheredRows gathered = gather_rows(plan, rows);
   write_gathered(rows.identity(), gathered, rows, path);
-  return {gathered.places.size(), gathered.missing, gathered.first_missing, {}};
+  return gathered.outcome();
 }
 
 bool has_grown(const StudySpec& spec) {
@@ -53,7 +53,7 @@ bool has_grown(const StudySpec& spec) {
 void fold_journals(const JournaledStudy& study, const StudyIdentity& identity) {
   std::vector<std::unique_ptr<JournalWriter>> locked;
   for (const std::string& journal : existing_journals(study.results)) {
-    locked.push_back(std::make_unique<JournalWriter>(journal, identity, run_format()));
+    locked.push_back(std::make_unique<JournalWriter>(journal, identity));
   }
   if (!rows_are_in_results(study.results)) {
     JournaledStudy begun = study;
@@ -92,12 +92,12 @@ void seed_journal(const JournaledStudy& study, const StudyPlan& plan,
   const std::string journal_of_study = journal_path(study.results);
   const std::string seed = name_of_new_file(journal_of_study);
   try {
-    RowCollection rows(run_format());
+    RowCollection rows;
     rows.add(study.results);
     rows.close();
     require_own_rows(rows.identity(), identity, study.results);
     refuse_other_rows(study, plan, rows);  // before there is a journal that says it is not finished
-    JournalWriter journal(seed, identity, run_format());
+    JournalWriter journal(seed, identity);
     copy_rows(rows, study.again, journal);
     if (!study.again.empty()) {
       say(stderr, "ar3d: {} of {} rows are made again\n", rows.size() - journal.rows(),
@@ -149,7 +149,7 @@ class JournalSink final : public RowSink {
     before_.read(before_.find(parse_row_key(key)).value(), record.data());
     return load_record(record.data());
   }
-  void add(std::size_t, const RunRecord& row) override { append_run(journal_, row); }
+  void add(std::size_t, const RunRecord& row) override { journal_.append(row); }
   void note(const EnvironmentEntry& entry) override { notes_.push_back(entry); }
 
  private:
@@ -206,7 +206,7 @@ class StudyPart {
       const bool in_processes = policy.isolate || plan_.budget.limits_rows();
       if (!in_processes) in_threads(static_cast<std::uint32_t>(policy.workers), [](auto) {});
       if (ranks.is_first()) seed_journal(study, plan_, identity);
-      journal_.emplace(path, identity, run_format());
+      journal_.emplace(path, identity);
     });
     tell_of_cut_bytes(path);
     together(ranks, [&] {
@@ -324,9 +324,8 @@ JournaledStudy begun_study(const std::string& journal_or_results) {
   const std::string results = in_resolved_folder(results_path_of(journal_or_results));
   const std::vector<std::string> journals = existing_journals(results);
   const bool in_results = rows_are_in_results(results);
-  const StudyIdentity identity = in_results
-                                     ? ResultsReader(results, run_format()).identity()
-                                     : journal_status(journals.front(), run_format()).identity;
+  const StudyIdentity identity =
+      in_results ? RunReader(results).identity() : journal_status(journals.front()).identity;
   return {recorded_study(identity, in_results ? results : journals.front()),
           identity.shard,
           results,
@@ -343,8 +342,7 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
   if (ranks.size() == 1) return *study;
   const std::string results = ranks.from_first(study ? study->results : "");
   StudyIdentity identity = study ? identity_of(*study, StudyPlan()) : StudyIdentity();
-  identity = parse_identity(ranks.from_first(identity_text(identity, run_format())), run_format(),
-                            results);
+  identity = parse_identity(ranks.from_first(identity_text(identity)), results);
   StudySpec spec = recorded_study(identity, results);
   if (study) spec.shelf = study->spec.shelf;
   together(ranks, [&spec] { corpora_of(spec); });  // so that all ranks have read the same graphs
@@ -382,8 +380,7 @@ StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path
 }
 
 StudyOutcome outcome_so_far(const JournaledStudy& study) {
-  const GatheredRows gathered = gather_rows(plan_of(study), rows_so_far(study));
-  return {gathered.places.size(), gathered.missing, gathered.first_missing, {}};
+  return gather_rows(plan_of(study), rows_so_far(study)).outcome();
 }
 
 }  // namespace ar3d

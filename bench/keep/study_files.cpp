@@ -155,8 +155,7 @@ bool rows_are_in_results(const std::string& results) {
   const std::vector<std::string> journals = existing_journals(results);
   if (journals.empty()) return true;
   return journals.front() != journal_path(results) && fs::exists(results) &&
-         ResultsReader(results, run_format()).identity().created ==
-             journal_status(journals.front(), run_format()).identity.created;
+         RunReader(results).identity().created == journal_status(journals.front()).identity.created;
 }
 
 void remove_journals(const std::string& results) {

@@ -27,14 +27,8 @@ namespace ar3d {
 namespace {
 
 constexpr const char* kAbsent = "absent";
+}  // namespace
 
-std::string first_line(const std::string& path) {
-  std::ifstream in(path);
-  std::string line;
-  return std::getline(in, line) ? line : kAbsent;
-}
-
-// The value of the first "key : value" line of a file of /proc.
 std::string proc_value(const std::string& path, const std::string& key) {
   std::ifstream in(path);
   for (std::string line; std::getline(in, line);) {
@@ -45,6 +39,14 @@ std::string proc_value(const std::string& path, const std::string& key) {
     return start == std::string::npos ? "" : line.substr(start);
   }
   return kAbsent;
+}
+
+namespace {
+
+std::string first_line(const std::string& path) {
+  std::ifstream in(path);
+  std::string line;
+  return std::getline(in, line) ? line : kAbsent;
 }
 
 // "L1 Data 32K, L2 Unified 1024K, ..."

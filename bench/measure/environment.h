@@ -7,12 +7,15 @@
 
 namespace ar3d {
 
-/// Git commit of the sources that the program was built from, "unknown" outside of a git checkout.
+/// Returns the value of the first "key : value" line of a file of /proc; "absent" if there is none.
+std::string proc_value(const std::string& path, const std::string& key);
+
+/// Returns the git commit of the program's sources, "unknown" outside of a git checkout.
 std::string source_hash();
 /// Returns true if tracked files differed from that commit when the program was built.
 bool source_is_dirty();
 
-/// Returns SHA-256 of what differed; empty if nothing did.
+/// Returns the SHA-256 of what differed; empty if nothing did.
 std::string dirty_hash();
 
 /// Returns why times of this build are worth little: "debug" (no -DNDEBUG), "sanitised", or "" for

@@ -26,7 +26,7 @@ constexpr std::array<std::pair<const char*, std::uint64_t>, 3> kEvents = {
      {"cycles", PERF_COUNT_HW_CPU_CYCLES},
      {"cache misses", PERF_COUNT_HW_CACHE_MISSES}}};
 
-int open_counter(std::uint64_t event) {
+Descriptor open_counter(std::uint64_t event) {
   perf_event_attr attributes{};
   attributes.size = sizeof attributes;
   attributes.type = PERF_TYPE_HARDWARE;
@@ -35,20 +35,19 @@ int open_counter(std::uint64_t event) {
   attributes.exclude_kernel = 1;
   attributes.exclude_hv = 1;
   attributes.read_format = PERF_FORMAT_TOTAL_TIME_ENABLED | PERF_FORMAT_TOTAL_TIME_RUNNING;
-  return static_cast<int>(
-      syscall(SYS_perf_event_open, &attributes, 0, -1, -1, PERF_FLAG_FD_CLOEXEC));
+  return Descriptor(
+      static_cast<int>(syscall(SYS_perf_event_open, &attributes, 0, -1, -1, PERF_FLAG_FD_CLOEXEC)));
 }
 
 // -1 if there is no such counter or it did not run all the time.
-std::int64_t value_of(int descriptor) {
-  if (descriptor < 0) return -1;
+std::int64_t value_of(const Descriptor& counter) {
   struct {
     std::uint64_t value;
     std::uint64_t enabled;
     std::uint64_t running;
   } count{};
-  if (read(descriptor, &count, sizeof count) != sizeof count) return -1;
-  if (count.running == 0 || count.running != count.enabled) return -1;
+  const bool is_read = read(counter.get(), &count, sizeof count) == sizeof count;
+  if (!is_read || count.running == 0 || count.running != count.enabled) return -1;
   return static_cast<std::int64_t>(count.value);
 }
 
@@ -63,11 +62,9 @@ std::int64_t largest_resident() {
 
 // VmHWM of /proc/self/status; 0 if it cannot be read.
 std::int64_t high_water_mark() {
-  const int file = open("/proc/self/status", O_RDONLY | O_CLOEXEC);
-  if (file < 0) return 0;
+  const Descriptor file(open("/proc/self/status", O_RDONLY | O_CLOEXEC));
   char text[8192];
-  const ssize_t length = read(file, text, sizeof text - 1);
-  close(file);
+  const ssize_t length = read(file.get(), text, sizeof text - 1);
   if (length <= 0) return 0;
   text[length] = '\0';
   const char* line = std::strstr(text, "VmHWM:");
@@ -109,60 +106,43 @@ void count_steps() {
 }  // namespace
 
 HardwareCounters::HardwareCounters() {
-  for (std::size_t i = 0; i < kCounters; ++i) {
-    descriptors_[i] = open_counter(kEvents[i].second);
-    if (descriptors_[i] < 0 && availability_ == "available") {
+  for (std::size_t i = 0; i < counters_.size(); ++i) {
+    counters_[i] = open_counter(kEvents[i].second);
+    if (counters_[i].get() < 0 && availability_ == "available") {
       availability_ = fmt::format("absent: {}: {}", kEvents[i].first, std::strerror(errno));
     }
   }
 }
 
-HardwareCounters::~HardwareCounters() {
-  for (const int descriptor : descriptors_) {
-    if (descriptor >= 0) close(descriptor);
-  }
-}
-
 void HardwareCounters::start() {
-  for (const int descriptor : descriptors_) {
-    if (descriptor < 0) continue;
-    ioctl(descriptor, PERF_EVENT_IOC_RESET, 0);
-    ioctl(descriptor, PERF_EVENT_IOC_ENABLE, 0);
+  for (const Descriptor& counter : counters_) {
+    if (counter.get() < 0) continue;
+    ioctl(counter.get(), PERF_EVENT_IOC_RESET, 0);
+    ioctl(counter.get(), PERF_EVENT_IOC_ENABLE, 0);
   }
 }
 
 CountedEvents HardwareCounters::stop() {
-  for (const int descriptor : descriptors_) {
-    if (descriptor >= 0) ioctl(descriptor, PERF_EVENT_IOC_DISABLE, 0);
+  for (const Descriptor& counter : counters_) {
+    if (counter.get() >= 0) ioctl(counter.get(), PERF_EVENT_IOC_DISABLE, 0);
   }
-  return {value_of(descriptors_[0]), value_of(descriptors_[1]), value_of(descriptors_[2])};
+  return {value_of(counters_[0]), value_of(counters_[1]), value_of(counters_[2])};
 }
 
 const char* to_string(MemoryScope scope) {
-  switch (scope) {
-    case MemoryScope::row:
-      return "row";
-    case MemoryScope::worker:
-      return "worker";
-    case MemoryScope::process:
-      break;
-  }
-  return "process";
+  constexpr std::array<const char*, 3> kNames = {"process", "row", "worker"};
+  return kNames.at(static_cast<std::size_t>(scope));
 }
 
 RowMemory::RowMemory(MemoryScope scope) : scope_(scope) {
   if (scope_ == MemoryScope::process) return;
-  clear_refs_ = open("/proc/self/clear_refs", O_WRONLY | O_CLOEXEC);
+  clear_refs_ = Descriptor(open("/proc/self/clear_refs", O_WRONLY | O_CLOEXEC));
   restart();
   if (scope_ == MemoryScope::process) return;
   // A process that was started by a larger one keeps that one's peak in getrusage for ever.
   const std::int64_t told = largest_resident();
   first_base_ = high_water_mark();
   if (told > first_base_) floor_ = told;
-}
-
-RowMemory::~RowMemory() {
-  if (clear_refs_ >= 0) close(clear_refs_);
 }
 
 std::int64_t RowMemory::begin_row() {
@@ -177,7 +157,7 @@ std::int64_t RowMemory::begin_row() {
 
 void RowMemory::restart() {
   if (scope_ == MemoryScope::process) return;
-  if (pwrite(clear_refs_, "5", 1, 0) != 1) scope_ = MemoryScope::process;
+  if (pwrite(clear_refs_.get(), "5", 1, 0) != 1) scope_ = MemoryScope::process;
 }
 
 std::int64_t RowMemory::peak_bytes() const {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/base/new_file.h"
+
 namespace ar3d {
 
 /// Measures wall time since construction.
@@ -48,21 +50,17 @@ struct CountedEvents {
 class HardwareCounters {
  public:
   HardwareCounters();
-  ~HardwareCounters();
-  HardwareCounters(const HardwareCounters&) = delete;
-  HardwareCounters& operator=(const HardwareCounters&) = delete;
 
   void start();
-  /// Events since start(). A hardware counter that had to share the processor with others is not
-  /// told.
+  /// Returns the events since start(). A hardware counter that had to share the processor with
+  /// others is not told.
   CountedEvents stop();
 
   /// Returns "available", or "absent: <why>" naming the first hardware counter that cannot be had.
   const std::string& availability() const { return availability_; }
 
  private:
-  static constexpr std::size_t kCounters = 3;
-  std::array<int, kCounters> descriptors_{-1, -1, -1};
+  std::array<Descriptor, 3> counters_;
   std::string availability_ = "available";
 };
 
@@ -82,9 +80,6 @@ class RowMemory {
  public:
   /// Construct it in the process that makes the rows.
   explicit RowMemory(MemoryScope scope);
-  ~RowMemory();
-  RowMemory(const RowMemory&) = delete;
-  RowMemory& operator=(const RowMemory&) = delete;
 
   MemoryScope scope() const { return scope_; }
 
@@ -93,12 +88,12 @@ class RowMemory {
   std::int64_t begin_row();
   /// Forgets the peak so far; without effect in scope process.
   void restart();
-  /// Largest resident size in bytes since the last restart or begin_row, or of the process so far.
+  /// Returns the largest resident bytes since the last restart or begin_row, or of the process.
   std::int64_t peak_bytes() const;
 
  private:
   MemoryScope scope_;
-  int clear_refs_ = -1;     ///< descriptor of /proc/self/clear_refs
+  Descriptor clear_refs_;   ///< of /proc/self/clear_refs
   std::int64_t floor_ = 0;  ///< getrusage gives at least this, whatever has been reset
   std::int64_t first_base_ = 0;
 };

@@ -212,8 +212,8 @@ class CorpusReader {
   // The rows of a file have one family, even where a collection holds the file, too.
   void require_rows_of_one_name(const Corpus& graphs, const GraphFileRecord& record,
                                 const GraphsEntry& entry) {
-    for (const std::string& hash : graphs.file_hashes()) {
-      const std::string& name = by_file_.try_emplace(hash, record.name).first->second;
+    for (const CollectedFile& file : graphs.files()) {
+      const std::string& name = by_file_.try_emplace(file.hash, record.name).first->second;
       if (name == record.name) continue;
       throw InputError(fmt::format("{}a file of {} holds the same graphs as one of {}", entry.place,
                                    record.name, name));

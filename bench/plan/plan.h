@@ -1,9 +1,10 @@
 #pragma once
 
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -92,34 +93,19 @@ class PlannedInstances {
   /// One instance, as it stands but for the numbers of its rows.
   void push_back(PlannedInstance instance);
 
-  class Iterator {
-   public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = PlannedInstance;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const PlannedInstance*;
-    using reference = PlannedInstance;
-    Iterator(const PlannedInstances& all, std::size_t place) : all_(&all), place_(place) {}
-    PlannedInstance operator*() const { return (*all_)[place_]; }
-    Iterator& operator++() {
-      ++place_;
-      return *this;
-    }
-    Iterator operator++(int) {
-      Iterator before = *this;
-      ++place_;
-      return before;
-    }
-    bool operator==(const Iterator& other) const { return place_ == other.place_; }
-
-   private:
-    const PlannedInstances* all_;
-    std::size_t place_;
-  };
-  Iterator begin() const { return {*this, 0}; }
-  Iterator end() const { return {*this, size_}; }
+  auto begin() const { return iterator(0); }
+  auto end() const { return iterator(size_); }
 
  private:
+  struct At {
+    const PlannedInstances* all;
+    PlannedInstance operator()(std::size_t place) const { return (*all)[place]; }
+  };
+  boost::transform_iterator<At, boost::counting_iterator<std::size_t>> iterator(
+      std::size_t place) const {
+    return {boost::counting_iterator<std::size_t>(place), At{this}};
+  }
+
   std::uint64_t study_seed_;
   std::vector<PlannedBlock> blocks_;
   std::size_t size_ = 0;

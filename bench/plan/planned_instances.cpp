@@ -14,7 +14,7 @@
 #include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/store/columns/row_format.h"
+#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 namespace {
@@ -31,11 +31,6 @@ template <std::integral T>
 void append_line(std::string& text, const char* name, T value) {
   const fmt::format_int digits(value);
   append_line(text, name, std::string_view(digits.data(), digits.size()));
-}
-
-std::string hash128(const std::string& text) {
-  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-  return to_string(RowKey{hash.high64, hash.low64});
 }
 
 std::string instance_identity(const PlannedInstance& instance) {
@@ -73,7 +68,15 @@ std::string row_key(const std::string& prefix, const PlannedRun& run) {
   if (run.phase != RunPhase::metrics) append_line(text, "phase", to_string(run.phase));
   if (run.scale >= 0) append_line(text, "scale", run.scale);
   append_line(text, "repetition", run.repetition);
-  return hash128(text);
+  return content_hash(text);
+}
+
+// The last part that begins at `wanted` or before; the parts stand in order.
+template <class Parts, class First>
+const auto& last_from(const Parts& parts, std::size_t wanted, const First& first) {
+  return *std::prev(
+      std::upper_bound(parts.begin(), parts.end(), wanted,
+                       [&](std::size_t at, const auto& part) { return at < first(part); }));
 }
 
 }  // namespace
@@ -122,18 +125,12 @@ PlannedInstance PlannedInstances::operator[](std::size_t place) const {
 
 const PlannedBlock& PlannedInstances::block_of_place(std::size_t place) const {
   expect(place < size_, "a plan has that instance");
-  const auto behind = std::upper_bound(
-      blocks_.begin(), blocks_.end(), place,
-      [](std::size_t wanted, const PlannedBlock& block) { return wanted < block.first_place; });
-  return *std::prev(behind);
+  return last_from(blocks_, place, [](const PlannedBlock& block) { return block.first_place; });
 }
 
 const PlannedBlock& PlannedInstances::block_of_row(std::size_t row) const {
   expect(row < rows_, "a plan has that row");
-  const auto behind = std::upper_bound(
-      blocks_.begin(), blocks_.end(), row,
-      [](std::size_t wanted, const PlannedBlock& block) { return wanted < block.first_row; });
-  return *std::prev(behind);
+  return last_from(blocks_, row, [](const PlannedBlock& block) { return block.first_row; });
 }
 
 void PlannedInstances::append(PlannedBlock block) {
@@ -202,10 +199,7 @@ LargestFirst::LargestFirst(const StudyPlan& plan) {
 
 std::size_t LargestFirst::operator[](std::size_t i) const {
   expect(i < size_, "an order has that place");
-  const auto behind =
-      std::upper_bound(blocks_.begin(), blocks_.end(), i,
-                       [](std::size_t wanted, const auto& part) { return wanted < part.first; });
-  const auto& [first, block] = *std::prev(behind);
+  const auto& [first, block] = last_from(blocks_, i, [](const auto& part) { return part.first; });
   return block->first_place + (i - first);
 }
 

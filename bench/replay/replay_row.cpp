@@ -6,7 +6,6 @@
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/run/row_maker.h"
-#include "ar3d/store/columns/asked_certificate.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {

@@ -78,51 +78,40 @@ class BatchRows {
   std::atomic<std::size_t> next_ = 0;
 };
 
-// Threads that begin at the same time and draw all rows of a batch.
-class BatchThreads {
- public:
-  explicit BatchThreads(BatchRows& rows) : rows_(rows) {}
-
-  // Wall time from the first thread's start, which all wait for, to the last thread's end.
-  double run(int threads) {
-    const std::vector<int> cores = allowed_cores();
-    const bool pin = static_cast<std::size_t>(threads) <= cores.size();
-    std::barrier start(threads);
-    in_threads(static_cast<std::uint32_t>(threads),
-               [&](std::uint32_t i) { work(pin ? cores[cores.size() - 1 - i] : -1, start); });
-    return std::chrono::duration<double>(last_end_ - first_start_).count();
-  }
-
- private:
+// Draws all rows of a batch in threads that begin at the same time. Returns the wall time from the
+// first thread's start, which all wait for, to the last thread's end.
+double drawn_in_threads(BatchRows& rows, int threads) {
   using Clock = std::chrono::steady_clock;
-
-  void work(int core, std::barrier<>& start) {
+  const std::vector<int> cores = allowed_cores();
+  const bool pin = static_cast<std::size_t>(threads) <= cores.size();
+  std::barrier start(threads);
+  std::mutex mutex;
+  Clock::time_point first_start = Clock::time_point::max();
+  Clock::time_point last_end = Clock::time_point::min();
+  in_threads(static_cast<std::uint32_t>(threads), [&](std::uint32_t i) {
+    const int core = pin ? cores[cores.size() - 1 - i] : -1;
     bool waited = false;
     try {
       const OneThread one_thread;
       const Pinning pinning(core);
       HardwareCounters counters;
-      rows_.warm_up();
+      rows.warm_up();
       start.arrive_and_wait();
       waited = true;
       const Clock::time_point begun = Clock::now();
-      while (rows_.draw_next(core, counters)) {
+      while (rows.draw_next(core, counters)) {
       }
       const Clock::time_point ended = Clock::now();
-      const std::lock_guard<std::mutex> lock(mutex_);
-      first_start_ = std::min(first_start_, begun);
-      last_end_ = std::max(last_end_, ended);
+      const std::lock_guard<std::mutex> lock(mutex);
+      first_start = std::min(first_start, begun);
+      last_end = std::max(last_end, ended);
     } catch (...) {
       if (!waited) start.arrive_and_wait();
       throw;
     }
-  }
-
-  BatchRows& rows_;
-  std::mutex mutex_;
-  Clock::time_point first_start_ = Clock::time_point::max();
-  Clock::time_point last_end_ = Clock::time_point::min();
-};
+  });
+  return std::chrono::duration<double>(last_end - first_start).count();
+}
 
 // The rows of one drawing in one phase: batch -> threads or ranks -> places of runs.
 struct BatchedDrawing {
@@ -250,7 +239,7 @@ MadeBatch BatchDrawer::shared_by_threads(int threads, std::size_t place,
   const PlannedRun& first = instance_.runs[rows.front()];
   BatchRows batch(*maker.graph(), first.choice, plan_.timing.warm_up,
                   std::vector<RunRecord>(rows.size(), maker.begun(first)), stop_);
-  const double wall_s = BatchThreads(batch).run(threads);
+  const double wall_s = drawn_in_threads(batch, threads);
   return {wall_s, batch.take()};
 }
 

@@ -109,7 +109,7 @@ Results describe_study(const StudySpec& spec, int workers) {
   results.dirty = source_is_dirty();
   results.dirty_hash = dirty_hash();
   results.created = now_with_zone();
-  results.tables = {algorithm_table(algorithms_of(spec))};
+  results.tables = {side_table<AlgorithmRecord>(algorithms_of(spec))};
   std::vector<GraphFileRecord> files;
   std::vector<SkippedFile> skipped;
   std::vector<CollectedFile> collected;
@@ -136,11 +136,11 @@ Results describe_study(const StudySpec& spec, int workers) {
     if (!is_told) skipped.push_back(before);
   }
   if (!files.empty()) {
-    results.tables.push_back(graph_file_table(files));
-    results.tables.push_back(collected_file_table(collected));
+    results.tables.push_back(side_table<GraphFileRecord>(files));
+    results.tables.push_back(side_table<CollectedFile>(collected));
     results.tables.push_back(graphs_table(graphs_to_hold(spec, corpora)));
   }
-  if (!skipped.empty()) results.tables.push_back(skipped_file_table(skipped));
+  if (!skipped.empty()) results.tables.push_back(side_table<SkippedFile>(skipped));
   require_programs(spec);
   results.environment = capture_environment(workers);
   for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {

@@ -10,6 +10,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/cores.h"
+#include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/row_maker.h"
@@ -290,15 +291,8 @@ std::string bytes_text(double bytes) {
 }
 
 double available_memory() {
-  double bytes = std::numeric_limits<double>::infinity();
-  std::ifstream meminfo("/proc/meminfo");
-  double kilobytes = 0;
-  for (std::string name, unit; meminfo >> name >> kilobytes >> unit;) {
-    if (name == "MemTotal:") {
-      bytes = kilobytes * 1024;
-      break;
-    }
-  }
+  double bytes = 1024 * std::atof(proc_value("/proc/meminfo", "MemTotal").c_str());
+  if (bytes == 0) bytes = std::numeric_limits<double>::infinity();
   double limit = 0;
   if (std::ifstream("/sys/fs/cgroup/memory.max") >> limit) bytes = std::min(bytes, limit);
   return bytes;

@@ -112,22 +112,22 @@ class TimingSource final : public RowSource {
       }
       const PlannedRun* run = drawing.left.front();
       drawing.left.pop_front();
-      in_hand_[run] = place;
-      return RowJob{
-          drawing.place, drawing.instance, run, {!drawing.certified, rules_.warm_up, rules_.write}};
+      return RowJob{drawing.place,
+                    drawing.instance,
+                    run,
+                    {!drawing.certified, rules_.warm_up, rules_.write},
+                    place};
     }
     return std::nullopt;
   }
 
   void done(const RowJob& job, RunRecord row) override {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const std::size_t place = in_hand_.at(job.run);
-    in_hand_.erase(job.run);
     for (std::size_t i = 0; i < row.yardsticks_s.size(); ++i) {
       const double one_s = row.yardsticks_s[i];
       if (one_s > 0 && known_yardsticks_[i].insert(one_s).second) yardsticks_s_ += one_s;
     }
-    TimedDrawing& drawing = drawings_[place];
+    TimedDrawing& drawing = drawings_[job.number];
     if (drawing.certified) {
       take_over_certificate(*drawing.certified, row);
     } else if (is_drawn(row)) {
@@ -214,7 +214,6 @@ class TimingSource final : public RowSource {
   std::mutex mutex_;
   std::vector<TimedDrawing> drawings_;
   std::deque<std::size_t> round_;  // places in drawings_ of those that wait for their turn
-  std::unordered_map<const PlannedRun*, std::size_t> in_hand_;
 };
 
 }  // namespace

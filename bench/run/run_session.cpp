@@ -15,7 +15,6 @@
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/batches.h"
 #include "ar3d/bench/run/session.h"
-#include "ar3d/bench/run/worker_process.h"
 #include "ar3d/store/study_identity.h"
 
 namespace ar3d {

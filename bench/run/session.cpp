@@ -139,21 +139,16 @@ std::optional<RunRecord> StudySession::failure(const PlannedInstance& instance,
                                                const PlannedRun& timed) {
   for (const PlannedRun& run : instance.runs) {
     if (run.phase != RunPhase::metrics || !is_same_drawing(run, timed)) continue;
-    if (std::optional<RunRecord> row = failed_row_of(run)) return row;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const auto at = failed_.find(run.row_key);
+      if (at != failed_.end()) return at->second;
+    }
+    if (wants(run)) continue;
+    RunRecord before = known(run);
+    if (!is_drawn(before)) return before;
   }
   return std::nullopt;
-}
-
-std::optional<RunRecord> StudySession::failed_row_of(const PlannedRun& run) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const auto at = failed_.find(run.row_key);
-    if (at != failed_.end()) return at->second;
-  }
-  if (wants(run)) return std::nullopt;
-  RunRecord before = known(run);
-  if (is_drawn(before)) return std::nullopt;
-  return before;
 }
 
 SessionEnd StudySession::end() {

@@ -126,7 +126,6 @@ class StudySession {
 
  private:
   bool is_budget_spent() const;
-  std::optional<RunRecord> failed_row_of(const PlannedRun& run);
 
   const StudyPlan& plan_;
   const SessionPolicy& policy_;
@@ -147,6 +146,7 @@ struct RowJob {
   std::shared_ptr<const PlannedInstance> instance;
   const PlannedRun* run = nullptr;  ///< one of instance->runs
   RowRequest request;
+  std::size_t number = 0;  ///< for the source, whose own it is
 };
 
 /// Hands out the rows of a phase and takes them back. Called from several threads at once.
@@ -173,6 +173,14 @@ struct WorkerPool {
   int elsewhere = 0;            ///< workers of other processes of the study at the same time
   std::vector<int> cores = {};  ///< core of each; empty: none is pinned
 };
+
+/// Makes all rows of a source in processes of their own, so that a crash, a timeout or too much
+/// memory costs one row: it gets the status, the process is replaced, the others go on. Rows have
+/// the limits of the plan's budget. Those in flight are given up when the session is stopped. No
+/// process outlives the call, nor a worker the caller's process; what a worker that has ended
+/// leaves in its group ends at once, and what its programs leave in any. To be called while no other
+/// thread runs.
+void work_in_processes(RowSource& source, const WorkerPool& pool);
 
 /// @throws InputError if the plan has timed rows and this build's times are worth little, if a
 /// memory limit is asked of a sanitised build, or if there are fewer cores than timed drawings at

@@ -1,23 +1,131 @@
-// Hands rows to worker processes and watches them. A row that crashes, takes too long or too much
-// memory costs its process only; time in which the whole study was frozen does not count.
+// Hands rows to worker processes, forked ones, and watches them. A row that crashes, takes too long
+// or too much memory costs its process only; time in which the whole study was frozen does not
+// count. Every message carries a checksum, because an algorithm under test may write into
+// descriptors that are not its own.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <xxhash.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <optional>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/system_calls.h"
+#include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/session.h"
-#include "ar3d/bench/run/worker_process.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 namespace {
 
+constexpr char kBegun = 'b';
+constexpr char kMade = 'm';
+
+// Checksum, tag and record.
+std::size_t message_size() { return sizeof(std::uint64_t) + 1 + run_record_size(); }
+
+std::uint64_t checksum_of(const std::string& message) {
+  return XXH3_64bits(message.data() + sizeof(std::uint64_t),
+                     message_size() - sizeof(std::uint64_t));
+}
+
+// How many processes the kernel has killed for want of memory since it was started.
+long long oom_kills() {
+  std::ifstream in("/proc/vmstat");
+  long long count = 0;
+  for (std::string name; in >> name >> count;) {
+    if (name == "oom_kill") return count;
+  }
+  return 0;
+}
+
+// Lets this process map at most so much more than now, for its lifetime.
+class AddressSpaceLimit {
+ public:
+  explicit AddressSpaceLimit(const std::optional<double>& bytes) {
+    if (!bytes || getrlimit(RLIMIT_AS, &before_) != 0) return;
+    rlimit limit = before_;
+    const double sum = address_space_bytes() + *bytes;
+    if (sum < 9e18) limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(sum));
+    set_ = setrlimit(RLIMIT_AS, &limit) == 0;
+  }
+  ~AddressSpaceLimit() {
+    if (set_) setrlimit(RLIMIT_AS, &before_);
+  }
+  AddressSpaceLimit(const AddressSpaceLimit&) = delete;
+  AddressSpaceLimit& operator=(const AddressSpaceLimit&) = delete;
+
+ private:
+  bool set_ = false;
+  rlimit before_{};
+};
+
+std::vector<int> descriptors_of_graphs(const StudyPlan& plan) {
+  std::vector<int> needed;
+  for (const PlannedBlock& block : plan.instances.blocks()) {
+    if (const auto& corpus = block.first.choice.corpus) {
+      needed.push_back(corpus->graphs->descriptor());
+    }
+  }
+  return needed;
+}
+
+// What a worker is told. It has the plan from its parent.
+struct RowOrder {
+  std::size_t place = 0;  // of the instance
+  std::size_t run = 0;    // of its runs
+  RowRequest request;
+};
+static_assert(std::is_trivially_copyable_v<RowOrder>);  // it is sent as it stands in memory
+
+bool tell(int socket, char tag, const RunRecord& run) {
+  std::string message(message_size(), '\0');
+  message[sizeof(std::uint64_t)] = tag;
+  store_record(run, message.data() + sizeof(std::uint64_t) + 1);
+  const std::uint64_t checksum = checksum_of(message);
+  std::memcpy(message.data(), &checksum, sizeof(checksum));
+  return send_all(socket, message);
+}
+
+// Serves rows until the parent hangs up.
+void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) {
+  const Pinning pinning(core);
+  RowMaker maker({.concurrency = pool.workers + pool.elsewhere,
+                  .core = core,
+                  .memory = MemoryScope::worker,
+                  .certify_memory_bytes = plan.budget.certify_memory_bytes});
+  PlannedInstance instance;
+  std::optional<std::size_t> prepared;
+  RowOrder order;
+  while (receive_all(socket, bytes_in(order))) {
+    const bool is_new = prepared != order.place;
+    if (is_new) instance = plan.instances[order.place];
+    const PlannedRun& planned = instance.runs.at(order.run);
+    RunRecord run;
+    {
+      std::optional<double> limit;
+      if (plan.budget.row_memory_bytes) limit = (*plan.budget.row_memory_bytes)(instance.n);
+      const AddressSpaceLimit memory(limit);
+      if (is_new) maker.prepare(instance);
+      prepared = order.place;
+      if (!tell(socket, kBegun, maker.begun(planned))) return;
+      run = maker.make_row(planned, order.request);
+    }
+    if (!tell(socket, kMade, run)) return;
+  }
+}
+
 using Clock = std::chrono::steady_clock;
-using News = WorkerProcess::News;
 
 constexpr double kPatienceSeconds = 0.1;  // until stop is asked again
 
@@ -38,6 +146,55 @@ class AwakeClock {
   double awake_s_ = 0;
 };
 
+// How a row ended without a worker's word: "killed by signal 11 (Segmentation fault)", …
+struct WorkerEnd {
+  RunStatus status = RunStatus::crashed;
+  std::string message;
+};
+
+// A forked process that makes rows. It ends with this object.
+struct Worker {
+  // @throws InputError if the system has no process or descriptor left.
+  Worker(const StudyPlan& plan, const WorkerPool& pool, int core) {
+    run_record_size();  // so that the columns are made once, by the parent
+    child = Child::forked({.kept = descriptors_of_graphs(plan)}, [&](int socket) {
+      serve(socket, plan, pool, core);
+      return 0;
+    });
+    fcntl(child.socket(), F_SETFL, O_NONBLOCK);
+  }
+
+  // False if the process is gone.
+  bool send(const RowJob& job) const {
+    const auto run = static_cast<std::size_t>(job.run - job.instance->runs.data());
+    RowOrder order{job.place, run, job.request};
+    return send_all(child.socket(), bytes_in(order));  // less than a socket's buffer: never waits
+  }
+
+  // CPU time so far; the largest double once it has ended.
+  double cpu_s() const {
+    const double seconds = child.cpu_s();
+    return std::isnan(seconds) ? std::numeric_limits<double>::max() : seconds;
+  }
+
+  // Once it has closed its socket.
+  WorkerEnd end() {
+    const int status = child.wait();
+    if (WIFEXITED(status)) {
+      return {RunStatus::crashed, fmt::format("exited with code {}", WEXITSTATUS(status))};
+    }
+    const int signal = WTERMSIG(status);
+    if (signal == SIGKILL && oom_kills() > oom_kills_before) {
+      return {RunStatus::out_of_memory, "killed by the system for want of memory"};
+    }
+    return {RunStatus::crashed, fmt::format("killed by signal {} ({})", signal, strsignal(signal))};
+  }
+
+  long long oom_kills_before = oom_kills();
+  Child child;
+  std::string received;
+};
+
 // A place for a worker: it has a row in hand, or there is nothing left for it.
 class WorkerPlace {
  public:
@@ -50,7 +207,7 @@ class WorkerPlace {
 
   bool busy() const { return job_.has_value(); }
   bool has_worker() const { return worker_ != nullptr; }
-  int descriptor() const { return worker_->descriptor(); }
+  int descriptor() const { return worker_->child.socket(); }
   // Seconds until the row can be late at the earliest; 0: it is late.
   double left_s() const {
     if (!limit_s_) return kPatienceSeconds;
@@ -69,32 +226,42 @@ class WorkerPlace {
       }
       if (worker_ && worker_->send(*job_)) return begin_time();
       worker_.reset();
-      worker_ = std::make_unique<WorkerProcess>(source_.session().plan(), pool_, core_);
+      worker_ = std::make_unique<Worker>(source_.session().plan(), pool_, core_);
       if (worker_->send(*job_)) return begin_time();
       give_up(worker_->end());
     }
   }
 
-  // Reads what the worker has told; true if the row is done, one way or the other.
+  // Reads what the worker has told, without waiting; true if the row is done, one way or the other.
   bool look() {
     for (;;) {
-      switch (worker_->read_news()) {
-        case News::none:
-          return false;
-        case News::begun:
-          begun_ = worker_->row();
-          begin_time();
-          break;
-        case News::made:
-          source_.done(*job_, worker_->row());
-          return true;
-        case News::garbage:
-          give_up({RunStatus::crashed, "its process wrote into the socket that rows come through"});
-          return true;
-        case News::is_gone:
+      std::string& received = worker_->received;
+      while (received.size() < message_size()) {
+        char bytes[4096];
+        const ssize_t got = recv(worker_->child.socket(), bytes, sizeof bytes, 0);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0 && errno == EAGAIN) return false;
+        if (got <= 0) {
           give_up(worker_->end());
           return true;
+        }
+        received.append(bytes, static_cast<std::size_t>(got));
       }
+      std::uint64_t checksum = 0;
+      std::memcpy(&checksum, received.data(), sizeof(checksum));
+      const char tag = received[sizeof(checksum)];
+      if (checksum != checksum_of(received) || (tag != kBegun && tag != kMade)) {
+        give_up({RunStatus::crashed, "its process wrote into the socket that rows come through"});
+        return true;
+      }
+      RunRecord row = load_record(received.data() + sizeof(checksum) + 1);
+      received.erase(0, message_size());
+      if (tag == kMade) {
+        source_.done(*job_, std::move(row));
+        return true;
+      }
+      begun_ = std::move(row);  // the graph is there, the row itself begins
+      begin_time();
     }
   }
 
@@ -140,7 +307,7 @@ class WorkerPlace {
   AwakeClock& clock_;
   int number_;
   int core_;
-  std::unique_ptr<WorkerProcess> worker_;
+  std::unique_ptr<Worker> worker_;
   std::optional<RowJob> job_;
   std::optional<RunRecord> begun_;  // what is known of the row in hand, once its graph is there
   std::optional<double> limit_s_;   // of the row or graph in hand

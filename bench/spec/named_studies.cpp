@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <sstream>
 
@@ -23,19 +22,15 @@ const NamedStudy* find_named_study(std::string_view name) {
   return at == std::end(kNamedStudies) ? nullptr : &*at;
 }
 
-const char* to_string(KeptDrawings kept) {
-  static constexpr std::array<const char*, 4> kNames = {"none", "worst", "violated", "all"};
-  return kNames.at(static_cast<std::size_t>(kept));
-}
+static const std::vector<std::string_view> kKept = {"none", "worst", "violated", "all"};
+
+const char* to_string(KeptDrawings kept) { return kKept[static_cast<std::size_t>(kept)].data(); }
 
 KeptDrawings parse_kept_drawings(std::string_view text) {
-  for (const KeptDrawings kept :
-       {KeptDrawings::none, KeptDrawings::worst, KeptDrawings::violated, KeptDrawings::all}) {
-    if (text == to_string(kept)) return kept;
-  }
+  const auto at = std::find(kKept.begin(), kKept.end(), text);
+  if (at != kKept.end()) return static_cast<KeptDrawings>(at - kKept.begin());
   throw InputError(fmt::format("keep_drawings '{}' is none of none, worst, violated and all{}",
-                               printable(text),
-                               did_you_mean(text, {"none", "worst", "violated", "all"})));
+                               printable(text), did_you_mean(text, kKept)));
 }
 
 namespace {
@@ -53,11 +48,23 @@ void make_paths_absolute(toml::node& graphs, const std::string& folder) {
   }
 }
 
-void make_sweep_movable(toml::node& sweep, const std::string& folder) {
-  if (sweep.as_table() == nullptr) return;
-  if (toml::node* const graphs = sweep.as_table()->get("graphs")) {
-    make_paths_absolute(*graphs, folder);
+/// Calls use(table) for every sweep of a specification.
+template <class Use>
+void for_each_sweep(toml::table& study, const Use& use) {
+  toml::node* const sweeps = study.get("sweep");
+  if (sweeps == nullptr) return;
+  if (toml::table* const sweep = sweeps->as_table()) use(*sweep);
+  if (toml::array* const list = sweeps->as_array()) {
+    for (toml::node& entry : *list) {
+      if (toml::table* const sweep = entry.as_table()) use(*sweep);
+    }
   }
+}
+
+std::string text_of(const toml::table& study) {
+  std::ostringstream text;
+  text << study << '\n';
+  return text.str();
 }
 
 }  // namespace
@@ -67,15 +74,10 @@ std::string movable_text(const StudySpec& spec) {
                                       [](const Sweep& sweep) { return !sweep.graphs.empty(); });
   if (!has_graphs) return spec.text;
   toml::table study = parse_toml(spec.text, spec.name);
-  if (toml::node* const sweeps = study.get("sweep")) {
-    make_sweep_movable(*sweeps, spec.folder);
-    if (toml::array* const list = sweeps->as_array()) {
-      for (toml::node& sweep : *list) make_sweep_movable(sweep, spec.folder);
-    }
-  }
-  std::ostringstream text;
-  text << study << '\n';
-  return text.str();
+  for_each_sweep(study, [&](toml::table& sweep) {
+    if (toml::node* const graphs = sweep.get("graphs")) make_paths_absolute(*graphs, spec.folder);
+  });
+  return text_of(study);
 }
 
 std::string text_of_a_turn(const StudySpec& spec, std::int64_t most_timed) {
@@ -84,21 +86,12 @@ std::string text_of_a_turn(const StudySpec& spec, std::int64_t most_timed) {
   if (!spec.count && !has_long) return movable_text(spec);
   toml::table study = parse_toml(movable_text(spec), spec.name);
   study.erase("count");
-  const auto shorten = [&](toml::node& node) {
-    toml::table* const sweep = node.as_table();
-    if (sweep == nullptr || !sweep->contains("timed_repetitions")) return;
-    const std::int64_t asked = (*sweep)["timed_repetitions"].value_or(most_timed);
-    sweep->insert_or_assign("timed_repetitions", std::min(asked, most_timed));
-  };
-  if (toml::node* const sweeps = study.get("sweep")) {
-    shorten(*sweeps);
-    if (toml::array* const list = sweeps->as_array()) {
-      for (toml::node& sweep : *list) shorten(sweep);
-    }
-  }
-  std::ostringstream text;
-  text << study << '\n';
-  return text.str();
+  for_each_sweep(study, [&](toml::table& sweep) {
+    if (!sweep.contains("timed_repetitions")) return;
+    const std::int64_t asked = sweep["timed_repetitions"].value_or(most_timed);
+    sweep.insert_or_assign("timed_repetitions", std::min(asked, most_timed));
+  });
+  return text_of(study);
 }
 
 }  // namespace ar3d

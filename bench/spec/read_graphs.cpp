@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
@@ -17,56 +18,46 @@ namespace {
 constexpr std::int64_t kMostSampled = 10000000;  // a study has no more rows
 constexpr std::int64_t kMostShuffles = 1000000;
 
-FirstLine first_line(const std::string& file, const toml::node& node) {
-  const std::string word = toml_text(file, node, "first_line");
+FirstLine first_line(const std::string& word) {
   if (word == "edge") return FirstLine::edge;
   if (word == "header") return FirstLine::header;
-  refuse_toml(file, node,
-              fmt::format("first_line = '{}' is neither 'edge' nor 'header'", printable(word)));
+  throw InputError(
+      fmt::format("first_line = '{}' is neither 'edge' nor 'header'", printable(word)));
 }
 
-std::vector<std::int64_t> shuffles(const std::string& file, const toml::node& node) {
-  std::vector<std::int64_t> numbers;
-  for (const toml::node* entry : one_or_many(node)) {
-    numbers.push_back(toml_integer(file, *entry, "shuffle", 0, kMostShuffles));
-  }
-  if (numbers.empty()) refuse_toml(file, node, "shuffle is empty");
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  return numbers;
-}
-
-void read_table(const std::string& file, const toml::node& node, GraphsEntry& entry) {
-  TomlTable table(file, node, "graphs");
-  entry.is_collection = table.has("files");
-  std::vector<std::string_view> keys = {"name",       "skip",   "format",     "base",
-                                        "first_line", "simple", "undirected", "largest_component",
-                                        "sample",     "shuffle"};
-  if (entry.is_collection) keys.insert(keys.end(), {"files", "groups"});
-  if (!entry.is_collection) keys.push_back("file");
-  table.refuse_all_but(keys);
-  entry.file = table.text(entry.is_collection ? "files" : "file");
-  entry.name = entry.is_collection ? table.text("name") : table.text("name", "");
-  if (entry.is_collection) entry.groups = table.text("groups", "");
-  entry.options.skip = table.boolean("skip", false);
-  if (const toml::node* name = table.find("name"); name != nullptr && !is_graphs_name(entry.name)) {
-    refuse_toml(file, *name,
-                fmt::format("name '{}' is not 1 to {} letters, digits, '.', '-' or '_'",
-                            printable(entry.name), kLongestGraphsName));
-  }
+void read_table(const toml::node& node, GraphsEntry& entry) {
+  entry.is_collection = has_toml_key(node, "files");
   ReadOptions& reading = entry.options.reading;
-  reading.format = table.text("format", "");
-  if (const toml::node* format = table.find("format")) {
-    with_place(file, *format, [&] { find_graph_format(reading.format); });
-  }
-  reading.base = static_cast<unsigned>(table.integer("base", 0, 1, 0));
-  if (const toml::node* line = table.find("first_line"))
-    reading.first_line = first_line(file, *line);
-  reading.undirected = table.boolean("undirected", false);
-  reading.simplify = table.boolean("simple", false) || reading.undirected;
-  entry.options.largest_component = table.boolean("largest_component", false);
-  entry.options.sample = static_cast<std::uint64_t>(table.integer("sample", 1, kMostSampled, 0));
-  if (const toml::node* shuffle = table.find("shuffle")) entry.shuffles = shuffles(file, *shuffle);
+  const auto name = [](const std::string& text) {
+    if (is_graphs_name(text)) return text;
+    throw InputError(fmt::format("name '{}' is not 1 to {} letters, digits, '.', '-' or '_'",
+                                 printable(text), kLongestGraphsName));
+  };
+  const auto format = [](const std::string& text) {
+    find_graph_format(text);
+    return text;
+  };
+  const auto read_shuffles = [&](const toml::node& shuffles, const std::string& key) {
+    std::set<std::int64_t> numbers;
+    for (const toml::node* number : toml_list(shuffles, key)) {
+      numbers.insert(toml_integer(*number, key, 0, kMostShuffles));
+    }
+    entry.shuffles = {numbers.begin(), numbers.end()};
+  };
+  std::vector<TomlKey> keys = {{entry.is_collection ? "files" : "file", into(entry.file), true},
+                               {"name", parsed_into(entry.name, name), entry.is_collection},
+                               {"skip", into(entry.options.skip)},
+                               {"format", parsed_into(reading.format, format)},
+                               {"base", into(reading.base, 0, 1)},
+                               {"first_line", parsed_into(reading.first_line, first_line)},
+                               {"undirected", into(reading.undirected)},
+                               {"simple", into(reading.simplify)},
+                               {"largest_component", into(entry.options.largest_component)},
+                               {"sample", into(entry.options.sample, 1, kMostSampled)},
+                               {"shuffle", read_shuffles}};
+  if (entry.is_collection) keys.push_back({"groups", into(entry.groups)});
+  read_toml_table(node, "graphs", keys);
+  reading.simplify = reading.simplify || reading.undirected;
 }
 
 std::string toml_quoted(const std::string& text) {
@@ -112,22 +103,20 @@ bool is_graphs_name(const std::string& name) {
          std::all_of(name.begin(), name.end(), is_plain);
 }
 
-std::vector<GraphsEntry> read_graphs(const std::string& file, const toml::node& node) {
+std::vector<GraphsEntry> read_graphs(const toml::node& node) {
   std::vector<GraphsEntry> entries;
-  for (const toml::node* given : one_or_many(node)) {
-    GraphsEntry entry;
-    entry.place = fmt::format("{}:{}: ", file, given->source().begin.line);
+  for (const toml::node* given : toml_list(node, "graphs")) {
+    GraphsEntry& entry = entries.emplace_back();
+    entry.place = toml_place(*given);
     if (given->is_string()) {
-      entry.file = toml_text(file, *given, "graphs");
+      entry.file = toml_text(*given, "graphs");
     } else {
-      read_table(file, *given, entry);
+      read_table(*given, entry);
     }
     if (entry.file.empty() || entry.file == "-") {
-      refuse_toml(file, *given, fmt::format("graphs: '{}' is no file", entry.file));
+      refuse_toml(*given, fmt::format("graphs: '{}' is no file", entry.file));
     }
-    entries.push_back(std::move(entry));
   }
-  if (entries.empty()) refuse_toml(file, node, "graphs is empty");
   return entries;
 }
 

@@ -17,7 +17,7 @@ namespace ar3d {
 /// Returns the entries of the key `graphs` of a sweep: paths, patterns, or tables { file = …, … }.
 /// No file is looked at.
 /// @throws InputError "file:line: message" on an unknown key or format or a value out of range.
-std::vector<GraphsEntry> read_graphs(const std::string& file, const toml::node& node);
+std::vector<GraphsEntry> read_graphs(const toml::node& node);
 
 inline constexpr std::size_t kLongestGraphsName = 47;
 
@@ -29,21 +29,11 @@ bool is_graphs_name(const std::string& name);
 std::string own_graphs_name(const std::string& path);
 
 /// Reads the value of one key of a specification. @throws InputError "file:line: message".
-TimedRepetitions read_timed_repetitions(const std::string& file, const toml::node& node);
-BatchRules read_batches(const std::string& file, const toml::node& node, const std::string& what,
+TimedRepetitions read_timed_repetitions(const toml::node& node);
+BatchRules read_batches(const toml::node& node, const std::string& what,
                         const std::string& sharers);
-TimingRules read_timing_rules(const std::string& file, const toml::node& node);
-Budget read_budget(const std::string& file, const toml::node& node);
-
-/// Describes a program of a study's `[[algorithm]]`, with the values that its options take in turn.
-struct ProgramEntry {
-  std::shared_ptr<const ExternalAlgorithm> program;
-  std::vector<std::pair<std::string, std::vector<std::int64_t>>> options;
-};
-
-/// @throws InputError "file:line: message" on an unknown or missing key, a value out of range, a
-/// name that an algorithm of the catalogue has, a command whose braces name no option.
-ProgramEntry read_program(const std::string& file, const toml::node& node);
+TimingRules read_timing_rules(const toml::node& node);
+Budget read_budget(const toml::node& node);
 
 /// Describes one integer setting of a family or an algorithm and the values that it takes in turn.
 struct SettingChoices {
@@ -51,13 +41,22 @@ struct SettingChoices {
   std::vector<std::int64_t> values;
 };
 
+/// Describes a program of a study's `[[algorithm]]`, with the values that its options take in turn.
+struct ProgramEntry {
+  std::shared_ptr<const ExternalAlgorithm> program;
+  std::vector<SettingChoices> options;
+};
+
+/// @throws InputError "file:line: message" on an unknown or missing key, a value out of range, a
+/// name that an algorithm of the catalogue has, a command whose braces name no option.
+ProgramEntry read_program(const toml::node& node);
+
 /// Returns every combination of the settings, the last one fastest.
 /// @throws InputError if there are more than 100,000.
 std::vector<Settings> combinations(const std::vector<SettingChoices>& settings);
 
 /// Refuses a sweep with strong or weak batches of what has none: programs, levels that store, and
-/// more than one certificate. @param node  the sweep, in `file`.
-/// @throws InputError naming file and line.
-void refuse_bad_batches(const std::string& file, const toml::node& node, const Sweep& sweep);
+/// more than one certificate. @param node  the sweep. @throws InputError naming file and line.
+void refuse_bad_batches(const toml::node& node, const Sweep& sweep);
 
 }  // namespace ar3d

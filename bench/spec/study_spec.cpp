@@ -24,45 +24,50 @@ class SpecReader {
 
   StudySpec read(const std::string& text) {
     const toml::table root = parse_toml(text, file_);
-    TomlTable table(file_, root, "the study");
-    table.refuse_all_but({"study", "description", "seed", "timing", "budget", "accept_unproved",
-                          "count", "certificate", "keep_drawings", "graphs_bytes", "algorithm",
-                          "max_n", "sweep"});
     StudySpec spec;
     spec.text = text;
-    if (table.has("graphs_bytes")) spec.graphs_bytes = table.number("graphs_bytes", 0, 1e12);
-    spec.name = study_name(table);
-    spec.description = table.text("description", "");
-    spec.seed = static_cast<std::uint64_t>(
-        table.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), 0));
-    if (const toml::node* rules = table.find("timing")) {
-      spec.timing = read_timing_rules(file_, *rules);
-    }
-    if (const toml::node* budget = table.find("budget")) spec.budget = read_budget(file_, *budget);
-    spec.accept_unproved = table.boolean("accept_unproved", false);
-    spec.count = table.boolean("count", false);
-    if (const toml::node* mode = table.find("certificate")) {
-      spec.certificate = toml_parsed(file_, *mode, "certificate", parse_certificate_mode);
-    }
-    if (const toml::node* kept = table.find("keep_drawings")) {
-      spec.keep_drawings = toml_parsed(file_, *kept, "keep_drawings", parse_kept_drawings);
-    }
-    if (const toml::node* programs = table.find("algorithm")) {
-      for (const toml::node* program : list(*programs, "algorithm")) add_program(*program);
-    }
-    for (const ProgramEntry& entry : programs_) spec.programs.push_back(entry.program);
-    if (const toml::node* limits = table.find("max_n")) spec.max_n = size_limits(*limits);
-    for (const toml::node* sweep : list(table.get("sweep"), "sweep")) {
-      spec.sweeps.push_back(read_sweep(*sweep, spec.certificate));
-    }
+    using Node = const toml::node&;
+    using Key = const std::string&;
+    read_toml_table(root, "the study",
+                    {{"graphs_bytes", number_into(spec.graphs_bytes, 0, 1e12)},
+                     {"study", parsed_into(spec.name, study_name), true},
+                     {"description", into(spec.description)},
+                     {"seed", into(spec.seed, 0, std::numeric_limits<std::int64_t>::max())},
+                     {"timing", [&](Node rules, Key) { spec.timing = read_timing_rules(rules); }},
+                     {"budget", [&](Node budget, Key) { spec.budget = read_budget(budget); }},
+                     {"accept_unproved", into(spec.accept_unproved)},
+                     {"count", into(spec.count)},
+                     {"certificate", parsed_into(spec.certificate, parse_certificate_mode)},
+                     {"keep_drawings", parsed_into(spec.keep_drawings, parse_kept_drawings)},
+                     {"algorithm",
+                      [&](Node programs, Key key) {
+                        for (const toml::node* program : toml_list(programs, key))
+                          add_program(*program);
+                        for (const ProgramEntry& entry : programs_)
+                          spec.programs.push_back(entry.program);
+                      }},
+                     {"max_n",
+                      [&](Node limits, Key key) {
+                        read_toml_table(limits, key, {}, [&](Node limit, Key name) {
+                          with_place(limit, [&] { require_algorithm(name); });
+                          into(spec.max_n[name], 0, kMaxN)(limit, name);
+                        });
+                      }},
+                     {"sweep",
+                      [&](Node sweeps, Key key) {
+                        for (const toml::node* sweep : toml_list(sweeps, key)) {
+                          spec.sweeps.push_back(read_sweep(*sweep, spec.certificate));
+                        }
+                      },
+                      true}});
     return spec;
   }
 
  private:
   void add_program(const toml::node& node) {
-    ProgramEntry entry = read_program(file_, node);
+    ProgramEntry entry = read_program(node);
     if (find_program(entry.program->row.name) != nullptr) {
-      refuse_toml(file_, node, fmt::format("a second algorithm '{}'", entry.program->row.name));
+      refuse_toml(node, fmt::format("a second algorithm '{}'", entry.program->row.name));
     }
     programs_.push_back(std::move(entry));
   }
@@ -87,123 +92,100 @@ class SpecReader {
   }
 
   // The name becomes part of file names.
-  std::string study_name(TomlTable& table) {
-    std::string name = table.text("study");
+  static std::string study_name(const std::string& name) {
     const bool plain = !name.empty() && name.size() <= 64 && name[0] != '-' &&
                        std::all_of(name.begin(), name.end(), [](char c) {
                          return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
                                 (c >= '0' && c <= '9') || c == '-' || c == '_';
                        });
-    if (!plain) {
-      refuse_toml(file_, table.get("study"),
-                  fmt::format("study name '{}' is not 1 to 64 letters, digits, '-' or '_'", name));
-    }
-    return name;
-  }
-
-  std::vector<const toml::node*> list(const toml::node& node, const std::string& what) const {
-    std::vector<const toml::node*> nodes = one_or_many(node);
-    if (nodes.empty()) refuse_toml(file_, node, fmt::format("{} is empty", what));
-    return nodes;
-  }
-
-  std::map<std::string, std::uint64_t> size_limits(const toml::node& node) const {
-    TomlTable table(file_, node, "max_n");
-    std::map<std::string, std::uint64_t> limits;
-    for (const std::string& name : table.other_keys()) {
-      with_place(file_, table.get(name), [&] { require_algorithm(name); });
-      limits[name] = static_cast<std::uint64_t>(table.integer(name, 0, kMaxN));
-    }
-    return limits;
+    if (plain) return name;
+    throw InputError(
+        fmt::format("study name '{}' is not 1 to 64 letters, digits, '-' or '_'", name));
   }
 
   Sweep read_sweep(const toml::node& node, const CertificateMode& usual) const {
-    TomlTable table(file_, node, "sweep");
-    std::vector<std::string_view> keys = {
-        "graphs",       "families",    "algorithms",        "level",  "certificate",
-        "instances",    "repetitions", "timed_repetitions", "strong", "weak",
-        "strong_ranks", "weak_ranks",  "include",           "exclude"};
-    if (!table.has("graphs") || table.has("families")) keys.push_back("sizes");
-    table.refuse_all_but(keys);
     Sweep sweep;
-    if (const toml::node* graphs = table.find("graphs")) {
-      sweep.graphs = read_graphs(file_, *graphs);
-    }
-    if (sweep.graphs.empty() || table.has("families")) {
-      sweep.families = family_choices(table.get("families"));
-      sweep.sizes = sizes(table.get("sizes"));
-    }
-    sweep.algorithms = algorithm_choices(table.get("algorithms"));
-    if (const toml::node* level = table.find("level")) add_levels(*level, sweep.algorithms);
-    for (AlgorithmChoice& choice : sweep.algorithms) choice.certificate = usual;
-    const toml::node* modes = table.find("certificate");
-    if (modes != nullptr) add_certificates(*modes, sweep.algorithms);
-    sweep.instances = static_cast<std::uint32_t>(table.integer("instances", 1, kMaxCount, 1));
-    sweep.repetitions = static_cast<std::uint32_t>(table.integer("repetitions", 1, kMaxCount, 1));
-    if (const toml::node* timed = table.find("timed_repetitions")) {
-      sweep.timed = read_timed_repetitions(file_, *timed);
-    }
-    const auto read = [&](const char* key, const char* sharers, BatchRules& batches) {
-      const toml::node* found = table.find(key);
-      if (found != nullptr) batches = read_batches(file_, *found, key, sharers);
+    using Node = const toml::node&;
+    using Key = const std::string&;
+    const bool has_graphs = has_toml_key(node, "graphs");
+    const bool has_families = !has_graphs || has_toml_key(node, "families");
+    const auto batches_into = [](BatchRules& batches, const char* sharers) {
+      return
+          [&batches, sharers](Node rules, Key key) { batches = read_batches(rules, key, sharers); };
     };
-    read("strong", "threads", sweep.strong);
-    read("weak", "threads", sweep.weak);
-    read("strong_ranks", "ranks", sweep.strong_ranks);
-    read("weak_ranks", "ranks", sweep.weak_ranks);
-    if (const toml::node* include = table.find("include")) {
-      list(*include, "include");  // an empty one would match no cell, or all of them
-      sweep.include = patterns(*include, !sweep.graphs.empty());
+    const auto read_algorithms = [&](Node algorithms, Key) {
+      sweep.algorithms = algorithm_choices(algorithms);
+      for (AlgorithmChoice& choice : sweep.algorithms) choice.certificate = usual;
+    };
+    std::vector<TomlKey> keys = {
+        {"graphs", [&](Node graphs, Key) { sweep.graphs = read_graphs(graphs); }},
+        {"families", [&](Node families, Key) { sweep.families = family_choices(families); },
+         has_families},
+        {"algorithms", read_algorithms, true},
+        {"level", values_into(sweep.algorithms, parse_level, &AlgorithmChoice::level)},
+        {"certificate",
+         values_into(sweep.algorithms, parse_certificate_mode, &AlgorithmChoice::certificate)},
+        {"instances", into(sweep.instances, 1, kMaxCount)},
+        {"repetitions", into(sweep.repetitions, 1, kMaxCount)},
+        {"timed_repetitions",
+         [&](Node timed, Key) { sweep.timed = read_timed_repetitions(timed); }},
+        {"strong", batches_into(sweep.strong, "threads")},
+        {"weak", batches_into(sweep.weak, "threads")},
+        {"strong_ranks", batches_into(sweep.strong_ranks, "ranks")},
+        {"weak_ranks", batches_into(sweep.weak_ranks, "ranks")},
+        {"include",
+         [&](Node include, Key key) {
+           toml_list(include, key);  // an empty one would match no cell, or all of them
+           sweep.include = patterns(include, has_graphs);
+         }},
+        {"exclude", [&](Node exclude, Key) { sweep.exclude = patterns(exclude, has_graphs); }}};
+    if (has_families) {
+      keys.insert(keys.begin() + 2,
+                  {"sizes", [&](Node given, Key) { sweep.sizes = sizes(given); }, true});
     }
-    if (const toml::node* exclude = table.find("exclude")) {
-      sweep.exclude = patterns(*exclude, !sweep.graphs.empty());
-    }
-    refuse_bad_batches(file_, node, sweep);
+    read_toml_table(node, "sweep", keys);
+    refuse_bad_batches(node, sweep);
     return sweep;
   }
 
   // Every choice with every value that the key lists.
   template <class Value, class Parse>
-  void add_values(const toml::node& node, const char* key, Parse parse,
-                  Value AlgorithmChoice::*member, std::vector<AlgorithmChoice>& choices) const {
-    std::vector<Value> values;
-    for (const toml::node* entry : list(node, key)) {
-      values.push_back(toml_parsed(file_, *entry, key, parse));
-    }
-    std::vector<AlgorithmChoice> with_values;
-    for (const AlgorithmChoice& choice : choices) {
-      for (const Value& value : values) with_values.emplace_back(choice).*member = value;
-    }
-    choices = std::move(with_values);
-  }
-  void add_levels(const toml::node& node, std::vector<AlgorithmChoice>& choices) const {
-    add_values(node, "level", parse_level, &AlgorithmChoice::level, choices);
-  }
-  void add_certificates(const toml::node& node, std::vector<AlgorithmChoice>& choices) const {
-    add_values(node, "certificate", parse_certificate_mode, &AlgorithmChoice::certificate, choices);
+  static TomlReader values_into(std::vector<AlgorithmChoice>& choices, Parse parse,
+                                Value AlgorithmChoice::*member) {
+    return [&choices, parse, member](const toml::node& node, const std::string& key) {
+      std::vector<Value> values;
+      for (const toml::node* entry : toml_list(node, key)) {
+        parsed_into(values.emplace_back(), parse)(*entry, key);
+      }
+      std::vector<AlgorithmChoice> with_values;
+      for (const AlgorithmChoice& choice : choices) {
+        for (const Value& value : values) with_values.emplace_back(choice).*member = value;
+      }
+      choices = std::move(with_values);
+    };
   }
 
   // "name", or { <key> = "name", setting = value or list, ... }: the name and the settings in order
   // of name.
-  std::string name_and_settings(const toml::node& node, const std::string& key,
-                                std::vector<SettingChoices>& settings) const {
-    if (node.is_string()) return toml_text(file_, node, key);
-    TomlTable table(file_, node, key);
-    std::string name = table.text(key);
-    for (const std::string& setting : table.other_keys()) {
-      settings.push_back({setting, {}});
-      for (const toml::node* value : list(table.get(setting), setting)) {
-        settings.back().values.push_back(toml_integer(file_, *value, setting,
-                                                      std::numeric_limits<std::int64_t>::min(),
-                                                      std::numeric_limits<std::int64_t>::max()));
-      }
-    }
+  static std::string name_and_settings(const toml::node& node, const std::string& key,
+                                       std::vector<SettingChoices>& settings) {
+    if (node.is_string()) return toml_text(node, key);
+    std::string name;
+    read_toml_table(node, key, {{key, into(name), true}},
+                    [&](const toml::node& given, const std::string& setting) {
+                      settings.push_back({setting, {}});
+                      for (const toml::node* value : toml_list(given, setting)) {
+                        into(settings.back().values.emplace_back(),
+                             std::numeric_limits<std::int64_t>::min(),
+                             std::numeric_limits<std::int64_t>::max())(*value, setting);
+                      }
+                    });
     return name;
   }
 
   std::vector<FamilyChoice> family_choices(const toml::node& node) const {
     std::vector<FamilyChoice> choices;
-    for (const toml::node* entry : list(node, "families")) {
+    for (const toml::node* entry : toml_list(node, "families")) {
       std::vector<SettingChoices> settings;
       const std::string name = name_and_settings(*entry, "family", settings);
       const auto add = [&](const Family& family) {
@@ -211,7 +193,7 @@ class SpecReader {
           choices.push_back({&family, complete_parameters(family, values)});
         }
       };
-      with_place(file_, *entry, [&] {
+      with_place(*entry, [&] {
         if (name == "all") {
           for (const Family& family : families()) add(family);
         } else {
@@ -224,7 +206,7 @@ class SpecReader {
 
   std::vector<AlgorithmChoice> algorithm_choices(const toml::node& node) const {
     std::vector<AlgorithmChoice> choices;
-    for (const toml::node* entry : list(node, "algorithms")) {
+    for (const toml::node* entry : toml_list(node, "algorithms")) {
       std::vector<SettingChoices> settings;
       const std::string name = name_and_settings(*entry, "algorithm", settings);
       if (name == "all" && settings.empty()) {
@@ -234,10 +216,10 @@ class SpecReader {
         continue;
       }
       if (const ProgramEntry* const program = find_program(name)) {
-        with_place(file_, *entry, [&] { add_choices(*program, settings, choices); });
+        with_place(*entry, [&] { add_choices(*program, settings, choices); });
         continue;
       }
-      with_place(file_, *entry, [&] {
+      with_place(*entry, [&] {
         const Algorithm& algorithm = catalogue_algorithm(name);
         for (const Settings& values : combinations(settings)) {
           choices.push_back({&algorithm, complete_options(algorithm, values)});
@@ -250,11 +232,10 @@ class SpecReader {
   // Options that the entry does not name take the values of the program's own table.
   static void add_choices(const ProgramEntry& entry, std::vector<SettingChoices> settings,
                           std::vector<AlgorithmChoice>& choices) {
-    for (const auto& option : entry.options) {
-      const bool is_given =
-          std::any_of(settings.begin(), settings.end(),
-                      [&](const SettingChoices& setting) { return setting.name == option.first; });
-      if (!is_given) settings.push_back({option.first, option.second});
+    for (const SettingChoices& option : entry.options) {
+      const bool is_given = std::ranges::any_of(
+          settings, [&](const SettingChoices& setting) { return setting.name == option.name; });
+      if (!is_given) settings.push_back(option);
     }
     const Algorithm& row = entry.program->row;
     for (const Settings& values : combinations(settings)) {
@@ -264,11 +245,11 @@ class SpecReader {
 
   std::vector<std::uint64_t> sizes(const toml::node& node) const {
     std::vector<std::uint64_t> sizes;
-    for (const toml::node* entry : list(node, "sizes")) {
+    for (const toml::node* entry : toml_list(node, "sizes")) {
       if (entry->is_table()) {
         add_ladder(*entry, sizes);
       } else {
-        sizes.push_back(static_cast<std::uint64_t>(toml_integer(file_, *entry, "size", 0, kMaxN)));
+        into(sizes.emplace_back(), 0, kMaxN)(*entry, "size");
       }
     }
     std::sort(sizes.begin(), sizes.end());
@@ -278,16 +259,20 @@ class SpecReader {
 
   // from, from * step, from * step^2, ... up to `to`, rounded to integers; step is `factor`, or
   // 10^(1/per_decade).
-  void add_ladder(const toml::node& node, std::vector<std::uint64_t>& sizes) const {
-    TomlTable table(file_, node, "sizes");
-    const bool by_factor = table.has("factor");
-    table.refuse_all_but({"from", "to", by_factor ? "factor" : "per_decade"});
-    const std::int64_t from = table.integer("from", 1, kMaxN);
-    const std::int64_t to = table.integer("to", from, kMaxN);
-    const double base = by_factor ? table.number("factor", 1.001, 1e6) : 10;
-    const auto steps = static_cast<double>(by_factor ? 1 : table.integer("per_decade", 1, 1000));
+  static void add_ladder(const toml::node& node, std::vector<std::uint64_t>& sizes) {
+    const bool by_factor = has_toml_key(node, "factor");
+    std::int64_t from = 0, to = 0, per_decade = 1;
+    double base = 10;
+    const TomlReader read_to = [&](const toml::node& last, const std::string& key) {
+      into(to, from, kMaxN)(last, key);
+    };
+    read_toml_table(node, "sizes",
+                    {{"from", into(from, 1, kMaxN), true},
+                     {"to", read_to, true},
+                     by_factor ? TomlKey{"factor", number_into(base, 1.001, 1e6), true}
+                               : TomlKey{"per_decade", into(per_decade, 1, 1000), true}});
     for (std::int64_t step = 0;; ++step) {
-      const double power = static_cast<double>(step) / steps;
+      const double power = static_cast<double>(step) / static_cast<double>(per_decade);
       const double size = std::round(static_cast<double>(from) * std::pow(base, power));
       if (size > static_cast<double>(to)) return;
       sizes.push_back(static_cast<std::uint64_t>(size));
@@ -298,19 +283,18 @@ class SpecReader {
   std::vector<CellPattern> patterns(const toml::node& node, bool has_graphs) const {
     std::vector<CellPattern> patterns;
     for (const toml::node* entry : one_or_many(node)) {
-      TomlTable table(file_, *entry, "include or exclude");
-      table.refuse_all_but({"family", "algorithm", "from", "to"});
-      CellPattern pattern;
-      pattern.family = table.text("family", "");
-      pattern.algorithm = table.text("algorithm", "");
-      pattern.from = static_cast<std::uint64_t>(table.integer("from", 0, kMaxN, 0));
-      pattern.to = static_cast<std::uint64_t>(table.integer("to", 0, kMaxN, kMaxN));
-      pattern.place = fmt::format("{}:{}: ", file_, entry->source().begin.line);
-      with_place(file_, *entry, [&] {
+      CellPattern& pattern = patterns.emplace_back();
+      pattern.to = kMaxN;
+      pattern.place = toml_place(*entry);
+      read_toml_table(*entry, "include or exclude",
+                      {{"family", into(pattern.family)},
+                       {"algorithm", into(pattern.algorithm)},
+                       {"from", into(pattern.from, 0, kMaxN)},
+                       {"to", into(pattern.to, 0, kMaxN)}});
+      with_place(*entry, [&] {
         if (!pattern.family.empty() && !has_graphs) find_family(pattern.family);
         if (!pattern.algorithm.empty()) require_algorithm(pattern.algorithm);
       });
-      patterns.push_back(std::move(pattern));
     }
     return patterns;
   }
@@ -387,9 +371,9 @@ StudySpec recorded_study(const StudyIdentity& identity, const std::string& file)
   for (Sweep& sweep : spec.sweeps) {  // what has become of them since is not a line's fault
     for (GraphsEntry& entry : sweep.graphs) entry.place = file + ": ";
   }
-  spec.graph_files = graph_file_records(identity);
-  spec.collected = collected_file_records(identity);
-  spec.skipped = skipped_file_records(identity);
+  spec.graph_files = side_records<GraphFileRecord>(identity);
+  spec.collected = side_records<CollectedFile>(identity);
+  spec.skipped = side_records<SkippedFile>(identity);
   spec.held = std::make_shared<const HeldGraphs>(held_graphs(identity));
   return spec;
 }

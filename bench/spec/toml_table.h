@@ -1,16 +1,13 @@
 #pragma once
 
-// Reads a TOML table strictly: what is no key of it is named before what is missing, every error
-// names file, line and value.
+// Reads TOML tables strictly: what is no key is named before what is missing, every error names
+// file, line and value.
 
 #include <toml++/toml.h>
 
 #include <cstdint>
 #include <functional>
-#include <optional>
-#include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ar3d {
@@ -18,70 +15,70 @@ namespace ar3d {
 /// @throws InputError "file:line: message" on a syntax error.
 toml::table parse_toml(const std::string& text, const std::string& file);
 
+/// Returns "file:line: " of a node.
+std::string toml_place(const toml::node& node);
+
 /// @throws InputError "file:line: message" with the line of the node.
-[[noreturn]] void refuse_toml(const std::string& file, const toml::node& node,
-                              const std::string& message);
+[[noreturn]] void refuse_toml(const toml::node& node, const std::string& message);
 
 /// Runs `step`; an InputError of it gets file and line of the node in front.
-void with_place(const std::string& file, const toml::node& node, const std::function<void()>& step);
+void with_place(const toml::node& node, const std::function<void()>& step);
 
-class TomlTable {
- public:
-  /// @throws InputError if the node is not a table; `what` names it for people.
-  TomlTable(const std::string& file, const toml::node& node, const std::string& what);
+/// Reads the value of a key. @param key  names it for people.
+using TomlReader = std::function<void(const toml::node& value, const std::string& key)>;
 
-  /// @throws InputError naming the first key that is none of these, and the nearest of them. To be
-  /// called before any key is asked for.
-  void refuse_all_but(std::vector<std::string_view> keys) const;
-
-  bool has(const std::string& key) const { return table_->contains(key); }
-  /// Returns the node of a key, or null; the key counts as known from now on.
-  const toml::node* find(const std::string& key);
-  /// @throws InputError if the key is missing, naming one that looks like it.
-  const toml::node& get(const std::string& key);
-
-  std::string text(const std::string& key);
-  std::string text(const std::string& key, const std::string& otherwise);
-  std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
-  std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high,
-                       std::int64_t otherwise);
-  double number(const std::string& key, double low, double high);
-  bool boolean(const std::string& key, bool otherwise);
-
-  /// Returns the keys that nobody has asked for yet, in order of name.
-  std::vector<std::string> other_keys() const;
-
-  const toml::node& node() const { return *table_; }
-
- private:
-  [[noreturn]] void refuse_missing(const std::string& key) const;
-
-  std::string file_;
-  const toml::table* table_ = nullptr;
-  std::string what_;
-  std::set<std::string> known_;
+/// Describes a key that a table may have.
+struct TomlKey {
+  std::string name;
+  TomlReader read;
+  bool required = false;
 };
+
+/// Reads the keys of a table in this order. @param what  names the table for people.
+/// @param other  reads all other keys, at last; empty: there may be none.
+/// @throws InputError if the node is no table; naming the first key that is none of these, and the
+/// nearest of them; naming a required key that is missing, and one that looks like it.
+void read_toml_table(const toml::node& node, const std::string& what,
+                     const std::vector<TomlKey>& keys, const TomlReader& other = {});
+
+/// Returns true if the node is a table with that key.
+bool has_toml_key(const toml::node& node, const std::string& key);
 
 /// Returns the nodes of an array, or the node itself if it is none.
 std::vector<const toml::node*> one_or_many(const toml::node& node);
+/// Returns the same. @throws InputError if there are none.
+std::vector<const toml::node*> toml_list(const toml::node& node, const std::string& what);
 
-std::string toml_text(const std::string& file, const toml::node& node, const std::string& what);
-/// Returns what `parse` makes of the node's text. @throws InputError "file:line: message" if the
-/// node is no text or `parse` throws one.
-template <class Parse>
-auto toml_parsed(const std::string& file, const toml::node& node, const std::string& what,
-                 const Parse& parse) {
-  const std::string text = toml_text(file, node, what);
-  std::optional<decltype(parse(text))> value;
-  with_place(file, node, [&] { value = parse(text); });
-  return *value;
-}
-
+std::string toml_text(const toml::node& node, const std::string& what);
 /// @throws InputError if it is no integer in [low, high].
-std::int64_t toml_integer(const std::string& file, const toml::node& node, const std::string& what,
-                          std::int64_t low, std::int64_t high);
+std::int64_t toml_integer(const toml::node& node, const std::string& what, std::int64_t low,
+                          std::int64_t high);
 /// @throws InputError if it is no integer or floating-point number in [low, high].
-double toml_number(const std::string& file, const toml::node& node, const std::string& what,
-                   double low, double high);
+double toml_number(const toml::node& node, const std::string& what, double low, double high);
+
+// What reads a value into a variable, which outlives the reading.
+TomlReader into(std::string& to);
+TomlReader into(bool& to);
+template <class Integer>
+TomlReader into(Integer& to, std::int64_t low, std::int64_t high) {
+  return [&to, low, high](const toml::node& node, const std::string& key) {
+    to = static_cast<Integer>(toml_integer(node, key, low, high));
+  };
+}
+/// @param to  a double, or one that may be missing.
+template <class Number>
+TomlReader number_into(Number& to, double low, double high) {
+  return [&to, low, high](const toml::node& node, const std::string& key) {
+    to = toml_number(node, key, low, high);
+  };
+}
+/// Takes what `parse` makes of a text; an InputError of it gets file and line.
+template <class Value, class Parse>
+TomlReader parsed_into(Value& to, const Parse& parse) {
+  return [&to, parse](const toml::node& node, const std::string& key) {
+    const std::string text = toml_text(node, key);
+    with_place(node, [&] { to = parse(text); });
+  };
+}
 
 }  // namespace ar3d

@@ -62,7 +62,6 @@ struct ColumnList {
       require_fits(run.*member, name, size);
       store_text(run.*member, to, size);
     };
-    column.exact_text = member;
     column.load = [member, size](const char* from, RunRecord& run) {
       run.*member = loaded_text(from, size);
     };
@@ -73,7 +72,6 @@ struct ColumnList {
   void message(const char* name, std::size_t size, std::string RunRecord::*member,
                const char* meaning) {
     Column& column = text(name, size, member, meaning);
-    column.exact_text = nullptr;
     column.store = [member, size](const RunRecord& run, char* to) {
       const std::string& value = run.*member;
       store_text(fits(value, size) ? value : fitted_text(value, size), to, size);
@@ -281,6 +279,13 @@ std::vector<Column> make_run_columns() {
   return std::move(list.columns);
 }
 
+// What a run has in a column.
+std::string bytes_of(const Column& column, const RunRecord& run) {
+  std::string bytes(column.size, '\0');
+  column.store(run, bytes.data());
+  return bytes;
+}
+
 template <class T>
 T loaded(const std::string& bytes) {
   T value{};
@@ -293,6 +298,13 @@ T loaded(const std::string& bytes) {
 const std::vector<Column>& run_columns() {
   static const std::vector<Column> columns = make_run_columns();
   return columns;
+}
+
+const TableSpec& runs_spec() {
+  static const TableSpec spec = {"runs",
+                                 "instance x algorithm x options x repetition",
+                                 {run_columns().begin(), run_columns().end()}};
+  return spec;
 }
 
 const Column& run_column(std::string_view name) {
@@ -308,10 +320,8 @@ std::size_t run_record_size() {
 }
 
 void require_storable(const RunRecord& run) {
-  for (const Column& column : run_columns()) {
-    if (column.exact_text != nullptr)
-      require_fits(run.*column.exact_text, column.name, column.size);
-  }
+  std::vector<char> record(run_record_size());
+  store_record(run, record.data());
 }
 
 void store_record(const RunRecord& run, char* record) {
@@ -322,6 +332,11 @@ RunRecord load_record(const char* record) {
   RunRecord run;
   for (const Column& column : run_columns()) column.load(record + column.offset, run);
   return run;
+}
+
+RowKey key_of_record(const char* record) {
+  static const Column& column = run_column("row_key");
+  return parse_row_key({record + column.offset, column.size});
 }
 
 std::vector<Column> columns_of_kind(ColumnKind kind) {
@@ -343,8 +358,7 @@ void set_metrics(const DrawingSummary& summary, RunRecord& run) {
 }
 
 std::string column_text(const Column& column, const RunRecord& run) {
-  std::string bytes(column.size, '\0');
-  column.store(run, bytes.data());
+  const std::string bytes = bytes_of(column, run);
   switch (column.type) {
     case FieldType::text:
       return bytes.substr(0, bytes.find('\0'));
@@ -361,8 +375,7 @@ std::string column_text(const Column& column, const RunRecord& run) {
 double column_number(const Column& column, const RunRecord& run) {
   expect(column.type == FieldType::int64 || column.type == FieldType::float64,
          "a column with a number");
-  std::string bytes(column.size, '\0');
-  column.store(run, bytes.data());
+  const std::string bytes = bytes_of(column, run);
   if (column.type == FieldType::float64) return loaded<double>(bytes);
   const auto integer = loaded<std::int64_t>(bytes);
   return integer < 0 ? kMissing : static_cast<double>(integer);
@@ -372,10 +385,7 @@ std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& 
   std::vector<std::string> names;
   for (const Column& column : run_columns()) {
     if (column.kind == ColumnKind::measured) continue;
-    std::string left(column.size, '\0'), right(column.size, '\0');
-    column.store(a, left.data());
-    column.store(b, right.data());
-    if (left != right) names.push_back(column.name);
+    if (bytes_of(column, a) != bytes_of(column, b)) names.push_back(column.name);
   }
   return names;
 }

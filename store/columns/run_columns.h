@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ar3d/store/columns/row_key.h"
 #include "ar3d/store/columns/run_record.h"
 #include "ar3d/store/columns/table.h"
 
@@ -25,11 +26,13 @@ struct Column : Field {
   ColumnKind kind = ColumnKind::result;
   std::function<void(const RunRecord&, char*)> store;  ///< writes `size` bytes
   std::function<void(const char*, RunRecord&)> load;   ///< reads `size` bytes
-  std::string RunRecord::*exact_text = nullptr;  ///< a text that is refused, not cut, if too long
 };
 
 /// Returns all columns of /runs.
 const std::vector<Column>& run_columns();
+
+/// Returns the table /runs, whose fields are these columns.
+const TableSpec& runs_spec();
 
 /// Returns the column of that name. @throws InternalError if there is none.
 const Column& run_column(std::string_view name);
@@ -45,6 +48,9 @@ void require_storable(const RunRecord& run);
 void store_record(const RunRecord& run, char* record);
 RunRecord load_record(const char* record);
 
+/// Returns the key of a record. @throws InputError as parse_row_key.
+RowKey key_of_record(const char* record);
+
 /// Gives the columns of that kind, in the same order. `offset` is their place in a record of /runs.
 std::vector<Column> columns_of_kind(ColumnKind kind);
 
@@ -58,7 +64,7 @@ std::string column_text(const Column& column, const RunRecord& run);
 /// Returns the value of a column of type int64 or float64; missing if it is -1 or NaN.
 double column_number(const Column& column, const RunRecord& run);
 
-/// Names of the columns that are not measured and differ in their bits. Empty: the same result.
+/// Returns the columns that are not measured and differ in their bits. Empty: the same result.
 std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b);
 
 }  // namespace ar3d

@@ -1,4 +1,4 @@
-// Names of statuses and phases, as results files hold them.
+// Names of statuses and phases, as results files hold them, and the certificate that was asked for.
 #include "ar3d/store/columns/run_record.h"
 
 #include <fmt/format.h>
@@ -34,6 +34,14 @@ const char* to_string(RunPhase phase) { return kPhases.at(static_cast<std::size_
 
 RunPhase parse_run_phase(std::string_view text) {
   return static_cast<RunPhase>(place_of(text, kPhases, "phase"));
+}
+
+std::string asked_certificate(const RunRecord& run) {
+  constexpr std::string_view kBefore = "certificate ", kBehind = " did not accept it; ";
+  if (!run.certificate.empty()) return run.certificate;
+  const std::size_t behind = run.message.find(kBehind);
+  if (!run.message.starts_with(kBefore) || behind == std::string::npos) return "exact";
+  return run.message.substr(kBefore.size(), behind - kBefore.size());
 }
 
 }  // namespace ar3d

@@ -127,6 +127,12 @@ struct RunRecord {
   std::int64_t session = -1;        ///< which of the /environments it was made in
 };
 
+/// Returns the certificate that was asked for, as the row's certificate and message tell: "exact",
+/// "none", "measured"; in results of 0.2.0 also "double" and others, which proved nothing: the
+/// message of a drawing that such a one did not accept begins "certificate double did not accept
+/// it; ".
+std::string asked_certificate(const RunRecord& run);
+
 /// Returns the time of drawing that is judged: CPU time of the thread, since other processes
 /// lengthen only the wall time by taking turns with it; wall time where the CPU time is missing.
 inline double drawing_time_s(const RunRecord& run) {
@@ -141,7 +147,7 @@ inline double log_slowness(const RunRecord& run) {
   return product > 0 ? std::log(product) / 2 : kMissing;
 }
 
-/// The logarithm of the drawing time in units of those yardsticks, or in seconds without them.
+/// Returns the logarithm of the drawing time in units of those yardsticks, else in seconds.
 inline double log_corrected_time(const RunRecord& run) {
   const double slowness = log_slowness(run);
   return std::log(drawing_time_s(run)) - (std::isnan(slowness) ? 0 : slowness);

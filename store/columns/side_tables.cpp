@@ -1,201 +1,114 @@
 // The small tables that stand beside the rows: what holds for all rows of an algorithm, and the
-// files whose graphs were drawn.
+// files whose graphs were drawn. One function names the columns of each; it describes the table,
+// and writes and reads its records.
 #include "ar3d/store/columns/side_tables.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <set>
+#include <type_traits>
 
 #include "ar3d/base/error.h"
-#include "ar3d/store/columns/side_texts.h"
 
 namespace ar3d {
 namespace {
 
-constexpr std::array<const char*, 3> kBoundAxes = {"_x", "_y", "_z"};
-constexpr unsigned kLargestHalfPower = 18;  // of AxisBound
 constexpr std::size_t kSkippedFileBytes = 96;
-constexpr std::size_t kFieldsOfBound = 3 + 3 * 4;
 
-constexpr auto kInt = FieldType::int64;
-constexpr auto kFloat = FieldType::float64;
-
-Field text_field(const std::string& name, const char* meaning, std::size_t size) {
-  Field field{name, "", meaning, FieldType::text, size};
-  field.required = false;
-  return field;
-}
-
-void add_bound(std::vector<Field>& fields, const std::string& whose) {
-  fields.push_back(text_field(whose + "_name", "whose bound it is", 48));
-  fields.push_back(text_field(whose + "_source", "where it is proved or stands", 96));
-  fields.push_back(text_field(whose + "_formula", "the bound by axis, for people", 256));
-  for (const char* axis : kBoundAxes) {
-    const std::string bound = "extent <= numerator / denominator * n^exponent + constant";
-    const auto add = [&](const char* part, FieldType type) {
-      fields.push_back({whose + part + axis, "1", bound, type, sizeof(double)});
-    };
-    add("_numerator", kInt);
-    add("_denominator", kInt);
-    add("_exponent", kFloat);
-    add("_constant", kInt);
-  }
-}
-
-TableSpec make_algorithms_spec() {
-  TableSpec spec{"algorithms", "what follows from algorithm and options", {}};
-  spec.fields = {text_field("algorithm", "drawing algorithm", 48),
-                 text_field("options", "its options, complete, in catalogue order", 96),
-                 {"volume_order", "1", "exponent of n in the product of the theorem's bounds",
-                  kFloat, sizeof(double)}};
-  add_bound(spec.fields, "theorem");
-  add_bound(spec.fields, "published");
-  pack_fields(spec.fields);
-  for (Field& field : spec.fields) field.required = false;
-  return spec;
-}
-
-TableSpec make_graph_files_spec() {
-  TableSpec spec{"graph_files", "files whose graphs are instances", {}};
-  spec.fields = {
-      {"name", "", "family of its rows", FieldType::text, 48},
-      {"entry", "1", "which entry of the specification's graphs, from 0", FieldType::int64, 8},
-      {"graphs", "1", "graphs in the file", FieldType::int64, 8},
-      {"hash", "", "XXH3-128 of its graphs in order", FieldType::text, 32},
-      {"path", "", "absolute path; %XX for bytes that are no printable ASCII", FieldType::text,
-       1024},
-      {"groups", "", "absolute path of a collection's table of groups, as path", FieldType::text,
-       1024}};
-  spec.fields.back().required = false;
-  pack_fields(spec.fields);
-  return spec;
-}
-
-TableSpec make_skipped_files_spec() {
-  TableSpec spec{"skipped_files",
-                 "files of collections that could not be read",
-                 {text_field("name", "of the collection", 48),
-                  text_field("file", "path within it", kSkippedFileBytes),
-                  text_field("reason", "why it could not be read", 240)}};
-  pack_fields(spec.fields);
-  return spec;
-}
-
-TableSpec make_collected_files_spec() {
-  TableSpec spec{"collected_files",
-                 "files whose graphs are instances, as they were read",
-                 {{"name", "", "family of their rows", FieldType::text, 48},
-                  text_field("file", "path within the collection, %XX as in graph_files", 512),
-                  text_field("group", "in rows", 48),
-                  {"hash", "", "XXH3-128 of its graphs in order", FieldType::text, 32},
-                  {"first", "1", "place of its first graph", kInt, sizeof(std::int64_t)},
-                  {"graphs", "1", "graphs in it", kInt, sizeof(std::int64_t)}}};
-  pack_fields(spec.fields);
-  return spec;
-}
-
-constexpr std::size_t kPieceBytes = 1000;
-
-TableSpec make_graphs_spec() {
-  TableSpec spec{
-      "graphs",
-      "graphs of files, as one text in pieces",
-      {text_field("text", "words: #FAMILY, @PLACE, :SPARSE6, =NUMBER of an earlier :SPARSE6",
-                  kPieceBytes)}};
-  pack_fields(spec.fields);
-  return spec;
-}
-
-// A record of a table, whose fields are written or read one after the other.
-class FieldCursor {
+// Goes through the columns of a record in order: describes them, or writes or reads its bytes.
+class RecordPass {
  public:
-  FieldCursor(const TableSpec& spec, char* record) : spec_(spec), record_(record) {}
+  enum class Use { describes, writes, reads };
+  RecordPass(TableSpec& spec, Use use, char* record) : spec_(spec), use_(use), record_(record) {}
 
-  void put(const std::string& text) {
-    const Field& field = next();
-    if (text != fitted_text(text, field.size)) {
+  void table(const char* name, const char* title) {
+    if (use_ == Use::describes) spec_ = {name, title, {}};
+  }
+  void text(const std::string& name, std::size_t size, const char* meaning, std::string& value,
+            bool required = false) {
+    const Field& field = next({name, "", meaning, FieldType::text, size, 0, required});
+    if (use_ == Use::reads) value = text_of(field, record_);
+    if (use_ != Use::writes) return;
+    if (value != fitted_text(value, size)) {
       throw InputError(fmt::format("/{}: a {} is no printable text of at most {} bytes: {}",
-                                   spec_.name, field.name, field.size, text));
+                                   spec_.name, name, size, value));
     }
-    text.copy(record_ + field.offset, text.size());
+    value.copy(record_ + field.offset, value.size());
   }
+  // Holds %XX for bytes that are no printable ASCII.
+  void path(const char* name, std::size_t size, const char* meaning, std::string& path,
+            bool required = false);
   template <class Number>
-  void put(Number value) {
-    std::memcpy(record_ + next().offset, &value, sizeof(value));
-  }
-  void put_missing() {
-    const Field& field = next();
-    store_missing(field, record_ + field.offset);
-  }
-
-  std::string text() { return text_of(next(), record_); }
-  template <class Number>
-  Number number() {
-    Number value{};
-    std::memcpy(&value, record_ + next().offset, sizeof(value));
-    return value;
+  void number(const std::string& name, const char* meaning, Number& value, bool required = true) {
+    constexpr FieldType kType =
+        std::is_same_v<Number, double> ? FieldType::float64 : FieldType::int64;
+    const Field& field = next({name, "1", meaning, kType, sizeof(value), 0, required});
+    if (use_ == Use::reads) std::memcpy(&value, record_ + field.offset, sizeof(value));
+    if (use_ == Use::writes) std::memcpy(record_ + field.offset, &value, sizeof(value));
   }
 
  private:
-  const Field& next() { return spec_.fields[next_++]; }
+  const Field& next(Field field) {
+    if (use_ == Use::describes) spec_.fields.push_back(std::move(field));
+    return spec_.fields[next_++];
+  }
 
-  const TableSpec& spec_;
+  TableSpec& spec_;
+  Use use_;
   char* record_;
   std::size_t next_ = 0;
 };
 
-// A table of what `put` writes of every record.
-template <class Record, class Put>
-StoredTable table_of(const TableSpec& spec, const std::vector<Record>& records, const Put& put) {
-  const std::size_t size = record_size(spec.fields);
-  StoredTable table{spec, std::vector<char>(records.size() * size, '\0')};
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    FieldCursor to(spec, table.records.data() + i * size);
-    put(to, records[i]);
+std::string encoded(const std::string& path) {
+  std::string text;
+  for (const char c : path) {
+    const bool is_plain = c > ' ' && c <= '~' && c != '%';
+    text += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
-  return table;
+  return text;
 }
 
-// Calls `take` for every record of a study's table, if it has that table.
-template <class Take>
-void for_each_record(const StudyIdentity& identity, const TableSpec& spec, const Take& take) {
-  const StoredTable* table = find_table(identity, spec.name);
-  if (table == nullptr) return;
-  std::vector<char> bytes = table->records;
-  for (std::size_t i = 0; i < table->size(); ++i) {
-    FieldCursor from(spec, bytes.data() + i * record_size(spec.fields));
-    take(from);
+// What is no code stays as it is.
+std::string decoded(const std::string& text) {
+  std::string path;
+  for (const char *at = text.data(), *end = at + text.size(); at != end; ++at) {
+    unsigned char code = 0;
+    const bool is_code =
+        *at == '%' && end - at > 2 && std::from_chars(at + 1, at + 3, code, 16).ptr == at + 3;
+    path += is_code ? static_cast<char>(code) : *at;
+    if (is_code) at += 2;
   }
+  return path;
 }
 
-void put_bound(FieldCursor& to, const std::optional<SizeBound>& bound) {
-  if (!bound) {
-    for (std::size_t i = 0; i < kFieldsOfBound; ++i) to.put_missing();
-    return;
-  }
-  to.put(bound->name);
-  to.put(bound->source);
-  to.put(bound->formula());
-  for (const AxisBound& axis : bound->axes) {
-    to.put(axis.numerator);
-    to.put(axis.denominator);
-    to.put(axis.half_power / 2.0);
-    to.put(axis.constant);
-  }
+void RecordPass::path(const char* name, std::size_t size, const char* meaning, std::string& path,
+                      bool required) {
+  std::string code = encoded(path);
+  text(name, size, meaning, code, required);
+  path = decoded(code);
 }
 
-// Nothing if the bound is missing.
-std::optional<SizeBound> take_bound(FieldCursor& from) {
-  SizeBound bound;
-  bound.name = from.text();
-  bound.source = from.text();
-  from.text();
+// A bound that is missing is one of missing values.
+void bound_columns(RecordPass& c, const std::string& whose, std::optional<SizeBound>& bound) {
+  constexpr unsigned kLargestHalfPower = 18;  // of AxisBound
+  constexpr const char* kMeaning = "extent <= numerator / denominator * n^exponent + constant";
+  SizeBound now = bound.value_or(SizeBound());
+  std::string formula = bound ? now.formula() : "";
+  c.text(whose + "_name", 48, "whose bound it is", now.name);
+  c.text(whose + "_source", 96, "where it is proved or stands", now.source);
+  c.text(whose + "_formula", 256, "the bound by axis, for people", formula);
   bool is_there = true;
-  for (AxisBound& axis : bound.axes) {
-    axis.numerator = from.number<std::int64_t>();
-    axis.denominator = from.number<std::int64_t>();
-    const double exponent = from.number<double>();
-    axis.constant = from.number<std::int64_t>();
+  for (std::size_t i = 0; i < 3; ++i) {
+    AxisBound& axis = now.axes[i];
+    if (!bound) axis = {-1, -1, 0, -1};
+    double exponent = bound ? axis.half_power / 2.0 : kMissing;
+    const char letter = "xyz"[i];
+    c.number(fmt::format("{}_numerator_{}", whose, letter), kMeaning, axis.numerator, false);
+    c.number(fmt::format("{}_denominator_{}", whose, letter), kMeaning, axis.denominator, false);
+    c.number(fmt::format("{}_exponent_{}", whose, letter), kMeaning, exponent, false);
+    c.number(fmt::format("{}_constant_{}", whose, letter), kMeaning, axis.constant, false);
     is_there = is_there && !std::isnan(exponent);
     if (!is_there) continue;
     axis.half_power = static_cast<unsigned>(std::clamp(2 * exponent, 0.0, 100.0));
@@ -205,8 +118,91 @@ std::optional<SizeBound> take_bound(FieldCursor& from) {
                                    axis.denominator, exponent, axis.constant));
     }
   }
-  if (!is_there) return std::nullopt;
-  return bound;
+  bound = is_there ? std::optional(now) : std::nullopt;
+}
+
+// False of a record without a theorem, which is none.
+bool columns_of(RecordPass& c, AlgorithmRecord& record) {
+  c.table("algorithms", "what follows from algorithm and options");
+  c.text("algorithm", 48, "drawing algorithm", record.algorithm);
+  c.text("options", 96, "its options, complete, in catalogue order", record.options);
+  double order = record.volume_order();  // follows from the bound
+  c.number("volume_order", "exponent of n in the product of the theorem's bounds", order, false);
+  std::optional<SizeBound> theorem = record.theorem;
+  bound_columns(c, "theorem", theorem);
+  bound_columns(c, "published", record.published);
+  if (theorem) record.theorem = *theorem;
+  return theorem.has_value();
+}
+
+bool columns_of(RecordPass& c, GraphFileRecord& record) {
+  c.table("graph_files", "files whose graphs are instances");
+  c.text("name", 48, "family of its rows", record.name, true);
+  c.number("entry", "which entry of the specification's graphs, from 0", record.entry);
+  c.number("graphs", "graphs in the file", record.graphs);
+  c.text("hash", 32, "XXH3-128 of its graphs in order", record.hash, true);
+  c.path("path", 1024, "absolute path; %XX for bytes that are no printable ASCII", record.path,
+         true);
+  c.path("groups", 1024, "absolute path of a collection's table of groups, as path", record.groups);
+  return true;
+}
+
+bool columns_of(RecordPass& c, SkippedFile& record) {
+  record.file = fitted_text(record.file, kSkippedFileBytes);
+  record.reason = fitted_text(record.reason, 240);
+  c.table("skipped_files", "files of collections that could not be read");
+  c.text("name", 48, "of the collection", record.name);
+  c.text("file", kSkippedFileBytes, "path within it", record.file);
+  c.text("reason", 240, "why it could not be read", record.reason);
+  return true;
+}
+
+bool columns_of(RecordPass& c, CollectedFile& record) {
+  c.table("collected_files", "files whose graphs are instances, as they were read");
+  c.text("name", 48, "family of their rows", record.name, true);
+  c.path("file", 512, "path within the collection, %XX as in graph_files", record.file);
+  c.text("group", 48, "in rows", record.group);
+  c.text("hash", 32, "XXH3-128 of its graphs in order", record.hash, true);
+  c.number("first", "place of its first graph", record.first);
+  c.number("graphs", "graphs in it", record.graphs);
+  return true;
+}
+
+constexpr std::size_t kPieceBytes = 1000;
+
+bool columns_of(RecordPass& c, std::string& piece) {
+  c.table("graphs", "graphs of files, as one text in pieces");
+  c.text("text", kPieceBytes, "words: #FAMILY, @PLACE, :SPARSE6, =NUMBER of an earlier :SPARSE6",
+         piece);
+  return true;
+}
+
+template <class Record>
+TableSpec spec_of() {
+  TableSpec spec;
+  Record record;
+  RecordPass columns(spec, RecordPass::Use::describes, nullptr);
+  columns_of(columns, record);
+  pack_fields(spec.fields);
+  return spec;
+}
+
+// Words between blanks, so that a text field holds them.
+std::string text_of_graphs(const HeldGraphs& graphs) {
+  std::string text;
+  std::map<std::string_view, std::size_t> numbers;  // of texts that stand there
+  for (const auto& [family, by_place] : graphs) {
+    text += fmt::format("#{} ", family);
+    std::uint64_t next = 0;
+    for (const auto& [place, line] : by_place) {
+      if (place != next) text += fmt::format("@{} ", place);
+      next = std::uint64_t{place} + 1;
+      const auto [known, is_new] = numbers.try_emplace(line, numbers.size());
+      text += is_new ? line : fmt::format("={}", known->second);
+      text += ' ';
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -217,43 +213,56 @@ double AlgorithmRecord::volume_order() const {
   return half_powers / 2.0;
 }
 
-const TableSpec& algorithms_spec() {
-  static const TableSpec spec = make_algorithms_spec();
-  return spec;
+const std::vector<TableSpec>& side_table_specs() {
+  static const std::vector<TableSpec> specs = {spec_of<AlgorithmRecord>(),
+                                               spec_of<GraphFileRecord>(), spec_of<SkippedFile>(),
+                                               spec_of<CollectedFile>(), spec_of<std::string>()};
+  return specs;
 }
 
-StoredTable algorithm_table(const std::vector<AlgorithmRecord>& records) {
-  return table_of(algorithms_spec(), records, [](FieldCursor& to, const AlgorithmRecord& record) {
-    to.put(record.algorithm);
-    to.put(record.options);
-    to.put(record.volume_order());
-    put_bound(to, record.theorem);
-    put_bound(to, record.published);
-  });
+template <class Record>
+StoredTable side_table(const std::vector<Record>& records) {
+  StoredTable table{spec_of<Record>(), {}};
+  const std::size_t size = record_size(table.spec.fields);
+  table.records.resize(records.size() * size);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    Record record = records[i];
+    RecordPass columns(table.spec, RecordPass::Use::writes, table.records.data() + i * size);
+    columns_of(columns, record);
+  }
+  return table;
 }
 
-std::vector<AlgorithmRecord> algorithm_records(const StudyIdentity& identity) {
-  std::vector<AlgorithmRecord> records;
-  for_each_record(identity, algorithms_spec(), [&](FieldCursor& from) {
-    AlgorithmRecord record;
-    record.algorithm = from.text();
-    record.options = from.text();
-    from.number<double>();  // follows from the bound
-    const std::optional<SizeBound> theorem = take_bound(from);
-    record.published = take_bound(from);
-    if (!theorem) return;
-    record.theorem = *theorem;
-    records.push_back(std::move(record));
-  });
+template <class Record>
+std::vector<Record> side_records(const StudyIdentity& identity) {
+  std::vector<Record> records;
+  const StoredTable* table = find_table(identity, spec_of<Record>().name);
+  if (table == nullptr) return records;
+  StoredTable copy = *table;
+  for (std::size_t i = 0; i < copy.size(); ++i) {
+    RecordPass columns(copy.spec, RecordPass::Use::reads,
+                       copy.records.data() + i * record_size(copy.spec.fields));
+    Record record;
+    if (columns_of(columns, record)) records.push_back(std::move(record));
+  }
   return records;
 }
 
+template StoredTable side_table(const std::vector<AlgorithmRecord>&);
+template StoredTable side_table(const std::vector<GraphFileRecord>&);
+template StoredTable side_table(const std::vector<SkippedFile>&);
+template StoredTable side_table(const std::vector<CollectedFile>&);
+template std::vector<AlgorithmRecord> side_records(const StudyIdentity&);
+template std::vector<GraphFileRecord> side_records(const StudyIdentity&);
+template std::vector<SkippedFile> side_records(const StudyIdentity&);
+template std::vector<CollectedFile> side_records(const StudyIdentity&);
+
 const AlgorithmRecord* find_algorithm_record(const std::vector<AlgorithmRecord>& records,
                                              std::string_view algorithm, std::string_view options) {
-  for (const AlgorithmRecord& record : records) {
-    if (record.algorithm == algorithm && record.options == options) return &record;
-  }
-  return nullptr;
+  const auto at = std::find_if(records.begin(), records.end(), [&](const AlgorithmRecord& record) {
+    return record.algorithm == algorithm && record.options == options;
+  });
+  return at == records.end() ? nullptr : &*at;
 }
 
 void set_bounds(const AlgorithmRecord* record, RunRecord& run) {
@@ -275,67 +284,16 @@ void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord&
   }
 }
 
-const TableSpec& graph_files_spec() {
-  static const TableSpec spec = make_graph_files_spec();
-  return spec;
-}
-
-StoredTable graph_file_table(const std::vector<GraphFileRecord>& records) {
-  return table_of(graph_files_spec(), records, [](FieldCursor& to, const GraphFileRecord& record) {
-    to.put(record.name);
-    to.put(record.entry);
-    to.put(record.graphs);
-    to.put(record.hash);
-    to.put(encoded(record.path));
-    to.put(encoded(record.groups));
-  });
-}
-
-const TableSpec& collected_files_spec() {
-  static const TableSpec spec = make_collected_files_spec();
-  return spec;
-}
-
-StoredTable collected_file_table(const std::vector<CollectedFile>& records) {
-  return table_of(collected_files_spec(), records,
-                  [](FieldCursor& to, const CollectedFile& record) {
-                    to.put(record.name);
-                    to.put(encoded(record.file));
-                    to.put(record.group);
-                    to.put(record.hash);
-                    to.put(record.first);
-                    to.put(record.graphs);
-                  });
-}
-
-std::vector<CollectedFile> collected_file_records(const StudyIdentity& identity) {
-  std::vector<CollectedFile> records;
-  for_each_record(identity, collected_files_spec(), [&](FieldCursor& from) {
-    CollectedFile& record = records.emplace_back();
-    record.name = from.text();
-    record.file = decoded(from.text());
-    record.group = from.text();
-    record.hash = from.text();
-    record.first = from.number<std::int64_t>();
-    record.graphs = from.number<std::int64_t>();
-  });
-  return records;
-}
-
 FileCounts file_counts(const StudyIdentity& identity) {
   std::set<std::pair<std::string, std::string>> read, given;
-  for (const CollectedFile& file : collected_file_records(identity)) {
+  for (const CollectedFile& file : side_records<CollectedFile>(identity)) {
     if (!file.file.empty()) read.emplace(file.name, fitted_text(file.file, kSkippedFileBytes));
   }
   given = read;
-  for (const SkippedFile& file : skipped_file_records(identity))
+  for (const SkippedFile& file : side_records<SkippedFile>(identity)) {
     given.emplace(file.name, file.file);
+  }
   return {read.size(), given.size()};
-}
-
-const TableSpec& graphs_spec() {
-  static const TableSpec spec = make_graphs_spec();
-  return spec;
 }
 
 StoredTable graphs_table(const HeldGraphs& graphs) {
@@ -344,52 +302,37 @@ StoredTable graphs_table(const HeldGraphs& graphs) {
   for (std::size_t at = 0; at < text.size(); at += kPieceBytes) {
     pieces.push_back(text.substr(at, kPieceBytes));
   }
-  return table_of(graphs_spec(), pieces,
-                  [](FieldCursor& to, const std::string& piece) { to.put(piece); });
+  return side_table(pieces);
 }
 
 HeldGraphs held_graphs(const StudyIdentity& identity) {
   std::string text;
-  for_each_record(identity, graphs_spec(), [&](FieldCursor& from) { text += from.text(); });
-  return graphs_of_text(text);
-}
-
-const TableSpec& skipped_files_spec() {
-  static const TableSpec spec = make_skipped_files_spec();
-  return spec;
-}
-
-StoredTable skipped_file_table(const std::vector<SkippedFile>& records) {
-  return table_of(skipped_files_spec(), records, [](FieldCursor& to, const SkippedFile& record) {
-    to.put(record.name);
-    to.put(fitted_text(record.file, kSkippedFileBytes));
-    to.put(fitted_text(record.reason, 240));
-  });
-}
-
-std::vector<SkippedFile> skipped_file_records(const StudyIdentity& identity) {
-  std::vector<SkippedFile> records;
-  for_each_record(identity, skipped_files_spec(), [&](FieldCursor& from) {
-    SkippedFile& record = records.emplace_back();
-    record.name = from.text();
-    record.file = from.text();
-    record.reason = from.text();
-  });
-  return records;
-}
-
-std::vector<GraphFileRecord> graph_file_records(const StudyIdentity& identity) {
-  std::vector<GraphFileRecord> records;
-  for_each_record(identity, graph_files_spec(), [&](FieldCursor& from) {
-    GraphFileRecord& record = records.emplace_back();
-    record.name = from.text();
-    record.entry = from.number<std::int64_t>();
-    record.graphs = from.number<std::int64_t>();
-    record.hash = from.text();
-    record.path = decoded(from.text());
-    record.groups = decoded(from.text());
-  });
-  return records;
+  for (const std::string& piece : side_records<std::string>(identity)) text += piece;
+  HeldGraphs graphs;
+  std::map<std::uint32_t, std::string>* family = nullptr;
+  std::vector<std::string> lines;
+  std::uint32_t place = 0;
+  for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
+    end = std::min(text.find(' ', at), text.size());
+    const std::string_view word(text.data() + at, end - at);
+    const char kind = word.empty() ? ' ' : word[0];
+    std::uint32_t number = 0;
+    const auto read = std::from_chars(text.data() + at + 1, text.data() + end, number);
+    const bool is_number = read.ec == std::errc() && read.ptr == text.data() + end;
+    const bool is_graph = kind == ':' || (kind == '=' && is_number && number < lines.size());
+    if (kind == '#') {
+      family = &graphs[std::string(word.substr(1))];
+      place = 0;
+    } else if (kind == '@' && is_number) {
+      place = number;
+    } else if (is_graph && family != nullptr) {
+      if (kind == ':') lines.emplace_back(word);
+      family->emplace(place++, kind == ':' ? lines.back() : lines[number]);
+    } else {
+      throw InputError(fmt::format("/graphs: '{}' is no word of it", word.substr(0, 40)));
+    }
+  }
+  return graphs;
 }
 
 }  // namespace ar3d

@@ -24,28 +24,7 @@ struct AlgorithmRecord {
   double volume_order() const;
 };
 
-/// Returns the name and the fields of /algorithms.
-const TableSpec& algorithms_spec();
-
-/// Returns the table of these records. @throws InputError if a text does not fit its field.
-StoredTable algorithm_table(const std::vector<AlgorithmRecord>& records);
-
-/// Returns the records of /algorithms of a study; none if it has no such table.
-/// @throws InputError naming the column if a bound is none.
-std::vector<AlgorithmRecord> algorithm_records(const StudyIdentity& identity);
-
-/// Returns the record of a run's algorithm and options; null if there is none.
-const AlgorithmRecord* find_algorithm_record(const std::vector<AlgorithmRecord>& records,
-                                             std::string_view algorithm, std::string_view options);
-
-/// Sets theorem_bound, slack and published_bound of a run from its n and its extents. Those of a
-/// run without n, and of one without record (null), are missing; so is the slack of a run that has
-/// no extents or a bound of 0.
-void set_bounds(const AlgorithmRecord* record, RunRecord& run);
-/// The same with the bounds themselves; each may be null.
-void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord& run);
-
-/// Is a record of /graph_files: a file, or a collection of files, whose graphs are instances.
+/// Describes a record of /graph_files: a file, or a collection, whose graphs are instances.
 struct GraphFileRecord {
   std::string name;          ///< the family of its rows
   std::int64_t entry = 0;    ///< which entry of the specification's `graphs` it is of, from 0
@@ -57,17 +36,10 @@ struct GraphFileRecord {
 
 /// Describes a record of /skipped_files: a file of a collection that could not be read.
 struct SkippedFile {
-  std::string name;  ///< of the collection
-  std::string file;  ///< within it
-  std::string reason;
+  std::string name;    ///< of the collection
+  std::string file;    ///< within it; cut where it is too long
+  std::string reason;  ///< cut, too
 };
-
-/// Returns the name and the fields of /skipped_files.
-const TableSpec& skipped_files_spec();
-/// Returns the table of these records; what is too long is cut.
-StoredTable skipped_file_table(const std::vector<SkippedFile>& records);
-/// Returns the records of /skipped_files of a study; none if it has no such table.
-std::vector<SkippedFile> skipped_file_records(const StudyIdentity& identity);
 
 /// Describes a record of /collected_files: a file whose graphs are instances, as it was read.
 struct CollectedFile {
@@ -78,10 +50,31 @@ struct CollectedFile {
   std::int64_t first = 0;   ///< place of its first graph among those of its family
   std::int64_t graphs = 0;  ///< in it
 };
-/// Gives the name and the fields of /collected_files; the table of these records; those of a study.
-const TableSpec& collected_files_spec();
-StoredTable collected_file_table(const std::vector<CollectedFile>& records);
-std::vector<CollectedFile> collected_file_records(const StudyIdentity& identity);
+
+/// Returns names and fields of the tables that may stand beside the rows, those of records and
+/// /graphs.
+const std::vector<TableSpec>& side_table_specs();
+
+/// Returns the table of records of one of the four kinds above. @throws InputError if a text does
+/// not fit its field (in a path each byte that is no printable ASCII counts three).
+template <class Record>
+StoredTable side_table(const std::vector<Record>& records);
+
+/// Returns the records of a study's table; none if it has no such table.
+/// @throws InputError naming the column if a bound of /algorithms is none.
+template <class Record>
+std::vector<Record> side_records(const StudyIdentity& identity);
+
+/// Returns the record of a run's algorithm and options; null if there is none.
+const AlgorithmRecord* find_algorithm_record(const std::vector<AlgorithmRecord>& records,
+                                             std::string_view algorithm, std::string_view options);
+
+/// Sets theorem_bound, slack and published_bound of a run from its n and its extents. Those of a
+/// run without n, and of one without record (null), are missing; so is the slack of a run that has
+/// no extents or a bound of 0.
+void set_bounds(const AlgorithmRecord* record, RunRecord& run);
+/// Sets them from the bounds themselves; each may be null.
+void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord& run);
 
 /// Counts the files of all collections of a study.
 struct FileCounts {
@@ -91,20 +84,9 @@ FileCounts file_counts(const StudyIdentity& identity);
 
 /// Describes the graphs that results hold: by family and place a line of sparse6 without its end.
 using HeldGraphs = std::map<std::string, std::map<std::uint32_t, std::string>>;
-/// The name and the fields of /graphs; the table of these graphs, each text once; those of a study.
-/// @throws InputError if the table is none of graphs.
-const TableSpec& graphs_spec();
+/// Returns the table /graphs of these graphs, each text once.
 StoredTable graphs_table(const HeldGraphs& graphs);
+/// Returns the graphs of a study's table. @throws InputError naming what is no word of it.
 HeldGraphs held_graphs(const StudyIdentity& identity);
-
-/// Returns the name and the fields of /graph_files.
-const TableSpec& graph_files_spec();
-
-/// Returns the table of these records. @throws InputError if a path is longer than 1024 bytes (each
-/// that is no printable ASCII counts three).
-StoredTable graph_file_table(const std::vector<GraphFileRecord>& records);
-
-/// Returns the records of /graph_files of a study; none if it has no such table.
-std::vector<GraphFileRecord> graph_file_records(const StudyIdentity& identity);
 
 }  // namespace ar3d

@@ -72,20 +72,26 @@ int append_checksum(int descriptor) {
   return write_whole(descriptor, ending, size) < ending.size() ? errno : 0;
 }
 
-ChecksumVerdict verify_checksum(int descriptor, const std::string& path) {
+void require_checksum(int descriptor, const std::string& path) {
   const auto fail = [&] {
     throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
   };
   struct stat status {};
   if (fstat(descriptor, &status) != 0) fail();
-  if (status.st_size < static_cast<off_t>(kChecksumSize)) return ChecksumVerdict::none;
-  const std::uint64_t size = static_cast<std::uint64_t>(status.st_size) - kChecksumSize;
+  const bool has_room = status.st_size >= static_cast<off_t>(kChecksumSize);
+  const std::uint64_t size =
+      has_room ? static_cast<std::uint64_t>(status.st_size) - kChecksumSize : 0;
   Ending found{};
-  if (read_whole(descriptor, found, size) < found.size() && errno != 0) fail();
-  if (std::memcmp(found.data(), kMagic, kMagicSize) != 0) return ChecksumVerdict::none;
+  if (has_room && read_whole(descriptor, found, size) < found.size() && errno != 0) fail();
+  if (std::memcmp(found.data(), kMagic, kMagicSize) != 0) {
+    throw InputError(path +
+                     " is not a readable results file: it has no checksum at its end: it was cut "
+                     "short or changed by another program");
+  }
   Ending computed = ending_of(size);
   if (!put_hash(descriptor, size, computed)) fail();
-  return found == computed ? ChecksumVerdict::right : ChecksumVerdict::wrong;
+  if (found == computed) return;
+  throw InputError(path + " is damaged: its bytes are not those that its checksum was made of");
 }
 
 }  // namespace ar3d

@@ -13,9 +13,8 @@ inline constexpr std::size_t kChecksumSize = 40;
 /// Appends it to an open file that is otherwise complete. @return 0, or the errno of what failed.
 int append_checksum(int descriptor);
 
-enum class ChecksumVerdict { right, none, wrong };
-
-/// Reads the whole file. @throws InputError naming `path` if it cannot be read.
-ChecksumVerdict verify_checksum(int descriptor, const std::string& path);
+/// Reads the whole file. @throws InputError naming `path` if it cannot be read, has no checksum or
+/// a wrong one.
+void require_checksum(int descriptor, const std::string& path);
 
 }  // namespace ar3d

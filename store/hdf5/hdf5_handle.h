@@ -5,13 +5,10 @@
 
 #include <hdf5.h>
 
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
-
-#include "ar3d/base/new_file.h"
 
 namespace ar3d {
 
@@ -79,7 +76,7 @@ Hdf5Handle text_type(std::size_t size, H5T_cset_t charset);
 
 /// Represents an HDF5 file that goes into an open, empty, readable and writable file. HDF5 never
 /// sees a write fail: it would not give the file up. The first failure is kept here instead, what
-/// comes after it is dropped.
+/// comes after it is dropped. A thread has one at a time.
 class Hdf5Output {
  public:
   /// @param descriptor  is duplicated.
@@ -88,14 +85,7 @@ class Hdf5Output {
   /// Ends the file. @return 0, or the errno of the first write that failed.
   int close();
 
-  /// Holds where the bytes go.
-  struct Sink {
-    Descriptor descriptor;
-    int error = 0;
-  };
-
  private:
-  std::shared_ptr<Sink> sink_;
   std::optional<Hdf5Handle> file_;
 };
 

@@ -1,121 +1,76 @@
-// A driver of HDF5's virtual file layer that keeps write errors to itself.
-
+// A driver of HDF5's virtual file layer that keeps write errors to itself. All but writing is
+// HDF5's own driver of plain files, which here works on a descriptor that is open already.
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <iterator>
-#include <new>
 
-#include "ar3d/base/system_calls.h"
 #include "ar3d/store/hdf5/hdf5_handle.h"
 
 namespace ar3d {
 namespace {
 
-using Sink = Hdf5Output::Sink;
+constexpr const char* kPlace = "/dev/null";  // what the plain driver opens before it is told better
 
-// HDF5 keeps it from open to close and takes it for an H5FD_t.
-struct OpenFile {
-  H5FD_t base{};  // first: HDF5's pointer to it is a pointer to all
-  std::shared_ptr<Sink> sink;
-  haddr_t end_of_address = 0;
-  haddr_t end_of_file = 0;
-};
+thread_local int t_descriptor = -1;  // where the bytes of this thread's file go
+thread_local int t_error = 0;        // errno of the first write that failed
 
-OpenFile& self(H5FD_t* file) { return *reinterpret_cast<OpenFile*>(file); }
-const OpenFile& self(const H5FD_t* file) { return *reinterpret_cast<const OpenFile*>(file); }
-
-// The properties carry the address of the sink's owner, which lives during the call of H5Fcreate.
-H5FD_t* open_file(const char*, unsigned, hid_t properties, haddr_t) {
-  const void* owner = H5Pget_driver_info(properties);
-  if (owner == nullptr) return nullptr;
-  auto* file = new (std::nothrow) OpenFile;
-  if (file == nullptr) return nullptr;
-  file->sink = **static_cast<const std::shared_ptr<Sink>* const*>(owner);
-  return &file->base;
+const H5FD_class_t& plain_driver() {
+  static const H5FD_class_t driver = [] {
+    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create properties");
+    hdf5_checked(H5Pset_fapl_sec2(access.get()), "choose a file driver");
+    H5FD_t* const file = H5FDopen(kPlace, H5F_ACC_RDONLY, access.get(), HADDR_UNDEF);
+    if (file == nullptr) throw_hdf5_error("look at a file driver");
+    const H5FD_class_t plain = *file->cls;
+    H5FDclose(file);
+    return plain;
+  }();
+  return driver;
 }
 
-herr_t close_file(H5FD_t* file) {
-  delete &self(file);
-  return 0;
+H5FD_t* open_file(const char*, unsigned flags, hid_t properties, haddr_t largest) {
+  H5FD_t* const file = plain_driver().open(kPlace, flags, properties, largest);
+  void* handle = nullptr;  // leads to the descriptor that the plain driver reads and writes
+  if (file == nullptr) return nullptr;
+  if (plain_driver().get_handle(file, properties, &handle) >= 0 &&
+      dup3(t_descriptor, *static_cast<int*>(handle), O_CLOEXEC) >= 0) {
+    return file;
+  }
+  plain_driver().close(file);
+  return nullptr;
 }
 
 int compare_files(const H5FD_t* a, const H5FD_t* b) { return a < b ? -1 : a > b ? 1 : 0; }
 
-// As HDF5's own driver of plain files.
-herr_t query(const H5FD_t*, unsigned long* flags) {
-  if (flags != nullptr) {
-    *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
-             H5FD_FEAT_AGGREGATE_SMALLDATA;
-  }
+// Runs a step of the plain driver that may fail for want of room.
+template <class Step>
+herr_t with_error_kept(const Step& step) {
+  if (t_error != 0) return 0;
+  errno = 0;
+  if (step() < 0) t_error = errno != 0 ? errno : EIO;
   return 0;
 }
 
-haddr_t end_of_address(const H5FD_t* file, H5FD_mem_t) { return self(file).end_of_address; }
-
-herr_t set_end_of_address(H5FD_t* file, H5FD_mem_t, haddr_t address) {
-  self(file).end_of_address = address;
-  return 0;
+herr_t write_bytes(H5FD_t* file, H5FD_mem_t type, hid_t properties, haddr_t address,
+                   std::size_t size, const void* from) {
+  return with_error_kept(
+      [&] { return plain_driver().write(file, type, properties, address, size, from); });
 }
 
-haddr_t end_of_file(const H5FD_t* file, H5FD_mem_t) { return self(file).end_of_file; }
-
-// What lies behind the end of the file is zero.
-herr_t read_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* to) {
-  char* const bytes = static_cast<char*>(to);
-  const std::size_t got = read_whole(self(file).sink->descriptor.get(), {bytes, size}, address);
-  if (got < size && errno != 0) return -1;
-  std::memset(bytes + got, 0, size - got);
-  return 0;
-}
-
-herr_t write_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size,
-                   const void* from) {
-  Sink& sink = *self(file).sink;
-  self(file).end_of_file = std::max(self(file).end_of_file, address + size);
-  const std::span<const char> bytes{static_cast<const char*>(from), size};
-  if (sink.error == 0 && write_whole(sink.descriptor.get(), bytes, address) < size) {
-    sink.error = errno;
-  }
-  return 0;
-}
-
-herr_t truncate_file(H5FD_t* file, hid_t, hbool_t) {
-  OpenFile& open = self(file);
-  if (open.end_of_address == open.end_of_file) return 0;
-  Sink& sink = *open.sink;
-  const auto size = static_cast<off_t>(open.end_of_address);
-  if (sink.error == 0 && ftruncate(sink.descriptor.get(), size) != 0) sink.error = errno;
-  open.end_of_file = open.end_of_address;
-  return 0;
+herr_t truncate_file(H5FD_t* file, hid_t properties, hbool_t closing) {
+  return with_error_kept([&] { return plain_driver().truncate(file, properties, closing); });
 }
 
 hid_t checked_driver() {
   static const H5FD_class_t driver = [] {
-    H5FD_class_t made{};
-#ifdef H5FD_CLASS_VERSION
-    made.version = H5FD_CLASS_VERSION;
-    made.value = static_cast<H5FD_class_value_t>(512);
-#endif
+    H5FD_class_t made = plain_driver();
     made.name = "ar3d_checked";
-    made.maxaddr = static_cast<haddr_t>(1) << 62;
-    made.fc_degree = H5F_CLOSE_WEAK;
-    made.fapl_size = sizeof(const void*);
     made.open = open_file;
-    made.close = close_file;
     made.cmp = compare_files;
-    made.query = query;
-    made.get_eoa = end_of_address;
-    made.set_eoa = set_end_of_address;
-    made.get_eof = end_of_file;
-    made.read = read_bytes;
     made.write = write_bytes;
     made.truncate = truncate_file;
-    constexpr H5FD_mem_t kMap[] = H5FD_FLMAP_DICHOTOMY;
-    std::copy(std::begin(kMap), std::end(kMap), made.fl_map);
+    made.lock = nullptr;  // the file is locked, or nobody else can know it
+    made.unlock = nullptr;
     return made;
   }();
   static const hid_t id = hdf5_checked(H5FDregister(&driver), "register a file driver");
@@ -124,20 +79,19 @@ hid_t checked_driver() {
 
 }  // namespace
 
-Hdf5Output::Hdf5Output(int descriptor) : sink_(std::make_shared<Sink>()) {
-  sink_->descriptor = Descriptor(fcntl(descriptor, F_DUPFD_CLOEXEC, 0));
-  if (sink_->descriptor.get() < 0) sink_->error = errno;
+Hdf5Output::Hdf5Output(int descriptor) {
+  t_descriptor = descriptor;
+  t_error = 0;
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create properties");
-  const std::shared_ptr<Sink>* owner = &sink_;
-  hdf5_checked(H5Pset_driver(access.get(), checked_driver(), &owner), "choose the file driver");
-  file_.emplace(H5Fcreate("checked.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
+  hdf5_checked(H5Pset_driver(access.get(), checked_driver(), nullptr), "choose the file driver");
+  file_.emplace(H5Fcreate(kPlace, H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
                 "create a file");
 }
 
 int Hdf5Output::close() {
   if (file_) hdf5_checked(H5Fflush(file_->get(), H5F_SCOPE_GLOBAL), "flush");
   file_.reset();
-  return sink_->error;
+  return t_error;
 }
 
 }  // namespace ar3d

@@ -230,15 +230,9 @@ void TableWriter::finish() {
   write_attribute(dataset_.get(), "NROWS", static_cast<long long>(written_));
 }
 
-void write_table(hid_t file, const TableSpec& table, std::size_t count,
-                 const std::function<void(std::size_t i, char* record)>& store) {
-  TableWriter writer(file, table);
-  std::vector<char> record(record_size(table.fields));
-  for (std::size_t i = 0; i < count; ++i) {
-    std::fill(record.begin(), record.end(), '\0');
-    store(i, record.data());
-    writer.append(record.data());
-  }
+void write_table(hid_t file, const StoredTable& table) {
+  TableWriter writer(file, table.spec);
+  for (std::size_t i = 0; i < table.size(); ++i) writer.append(table.record(i));
   writer.finish();
 }
 
@@ -274,10 +268,14 @@ const char* TableReader::read(std::size_t i) {
   return record_.data();
 }
 
-void read_table(hid_t file, const TableSpec& table, std::uint64_t file_bytes,
-                const std::function<void(const char* record)>& load) {
+StoredTable read_table(hid_t file, const TableSpec& table, std::uint64_t file_bytes) {
   TableReader reader(file, table, file_bytes);
-  for (std::size_t i = 0; i < reader.size(); ++i) load(reader.read(i));
+  StoredTable stored{table, {}};
+  for (std::size_t i = 0; i < reader.size(); ++i) {
+    const char* record = reader.read(i);
+    stored.records.insert(stored.records.end(), record, record + record_size(table.fields));
+  }
+  return stored;
 }
 
 bool has_table(hid_t file, const std::string& name) {

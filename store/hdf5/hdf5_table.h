@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,10 +42,8 @@ class TableWriter {
   std::vector<char> buffer_;
 };
 
-/// Creates the table and fills it; `store` writes record i (zeroed before) to the given bytes.
-/// @throws Hdf5Error
-void write_table(hid_t file, const TableSpec& table, std::size_t count,
-                 const std::function<void(std::size_t i, char* record)>& store);
+/// Writes a whole table. @throws Hdf5Error
+void write_table(hid_t file, const StoredTable& table);
 
 /// Represents a table of an open file, read by record number. Memory: a chunk of records.
 class TableReader {
@@ -76,11 +73,10 @@ class TableReader {
   std::vector<char> record_;
 };
 
-/// Calls `load` with every record in order. @throws Hdf5Error as TableReader.
-void read_table(hid_t file, const TableSpec& table, std::uint64_t file_bytes,
-                const std::function<void(const char* record)>& load);
+/// Reads a whole table. @throws Hdf5Error as TableReader.
+StoredTable read_table(hid_t file, const TableSpec& table, std::uint64_t file_bytes);
 
-/// Is there a table of that name? @throws Hdf5Error if the name leads out of the file.
+/// Returns true if there is a table of that name. @throws Hdf5Error if it is a link elsewhere.
 bool has_table(hid_t file, const std::string& name);
 
 /// Returns the size in bytes of a text field of a table in the file.

@@ -1,32 +1,71 @@
-// Results files as they are written: HDF5 with a checksum behind it.
+// Results files: HDF5 with a checksum behind it. They are read row by row. HDF5 never sees a file
+// that is damaged, as its checksum tells; and since a checksum can be forged and HDF5 crashes on
+// some files, it sees none in this process.
 #include "ar3d/store/hdf5/results_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <xxhash.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <unordered_set>
 
 #include "ar3d/base/error.h"
-#include "ar3d/base/new_file.h"
+#include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/hdf5/file_checksum.h"
 #include "ar3d/store/hdf5/hdf5_table.h"
-#include "ar3d/store/hdf5/results_layout.h"
+#include "ar3d/store/journal/journal_format.h"
 
 namespace ar3d {
+namespace {
 
-TableSpec environments_table(std::size_t name_size, std::size_t value_size) {
-  TableSpec table{"environments", "machine, compiler, libraries and settings of every session", {}};
-  table.fields = {
+using Json = nlohmann::json;
+
+// What a results file says of itself in its root attributes.
+constexpr const char* kResultsFormat = "ar3d-results";
+constexpr long long kResultsFormatVersion = 3;
+
+constexpr std::size_t kLargestSpec = std::size_t{1} << 26;
+constexpr std::size_t kBlockRows = 512;    // that a question brings
+constexpr std::uint64_t kDescription = 0;  // the question for it; i + 1 asks for block i
+
+// /environments of all sessions, as wide as its texts are.
+TableSpec environments_spec(std::size_t name, std::size_t value) {
+  TableSpec spec{"environments", "machine, compiler, libraries and settings of every session", {}};
+  spec.fields = {
       {"session", "1", "which process of the study", FieldType::int64, sizeof(std::int64_t)},
-      {"name", "", "what is described", FieldType::text, std::max<std::size_t>(1, name_size)},
-      {"value", "", "its value", FieldType::text, std::max<std::size_t>(1, value_size)}};
-  pack_fields(table.fields);
-  return table;
+      {"name", "", "what is described", FieldType::text, std::max<std::size_t>(1, name)},
+      {"value", "", "its value", FieldType::text, std::max<std::size_t>(1, value)}};
+  pack_fields(spec.fields);
+  return spec;
 }
 
-namespace {
+StoredTable environments_table(const std::vector<EnvironmentEntry>& environment) {
+  std::size_t name_size = 0, value_size = 0;
+  for (const EnvironmentEntry& entry : environment) {
+    name_size = std::max(name_size, entry.name.size());
+    value_size = std::max(value_size, entry.value.size());
+  }
+  StoredTable table{environments_spec(name_size, value_size), {}};
+  const std::vector<Field>& fields = table.spec.fields;
+  table.records.resize(environment.size() * record_size(fields));
+  char* to = table.records.data();
+  for (const EnvironmentEntry& entry : environment) {
+    const std::string name = fitted_text(entry.name, fields[1].size);
+    const std::string value = fitted_text(entry.value, fields[2].size);
+    std::memcpy(to, &entry.session, sizeof(entry.session));
+    name.copy(to + fields[1].offset, name.size());
+    value.copy(to + fields[2].offset, value.size());
+    to += record_size(fields);
+  }
+  return table;
+}
 
 void write_root_attributes(hid_t file, const StudyIdentity& results) {
   write_attribute(file, "format", kResultsFormat);
@@ -56,103 +95,283 @@ void write_spec(hid_t file, const std::string& spec) {
                "write /spec");
 }
 
-// Takes records and keeps one for every value of the extract's key.
-class ExtractWriter {
- public:
-  ExtractWriter(hid_t file, const RowFormat& format)
-      : format_(format), table_(file, format.extract) {}
-
-  void note(const char* row) {
-    if (!seen_.insert(key_of(row)).second) return;
-    record_.clear();
-    for (const std::size_t field_number : format_.extract_fields) {
-      const Field& field = format_.rows.fields[field_number];
-      record_.append(row + field.offset, field.size);
-    }
-    table_.append(record_.data());
-  }
-  void finish() { table_.finish(); }
-
- private:
-  // The key's fields, hashed.
-  RowKey key_of(const char* row) {
-    text_.clear();
-    for (const std::size_t field_number : format_.extract_key) {
-      const Field& field = format_.rows.fields[field_number];
-      text_.append(row + field.offset, field.size);
-    }
-    const XXH128_hash_t hash = XXH3_128bits(text_.data(), text_.size());
-    return {hash.high64, hash.low64};
-  }
-
-  const RowFormat& format_;
-  std::string record_;
-  std::string text_;
-  TableWriter table_;
-  std::unordered_set<RowKey> seen_;
-};
-
-void write_rows(hid_t file, const RowFormat& format, const RecordSource& rows) {
-  ExtractWriter extract(file, format);
-  TableWriter table(file, format.rows);
-  std::vector<char> record(format.record_size());
-  for (std::size_t i = 0; i < rows.count; ++i) {
-    rows.read(i, record.data());
-    extract.note(record.data());
-    table.append(record.data());
-  }
-  extract.finish();
-  table.finish();
+TableSpec instances_spec() {
+  TableSpec spec{"instances", "one record per graph", {}};
+  for (const Column& column : columns_of_kind(ColumnKind::instance)) spec.fields.push_back(column);
+  pack_fields(spec.fields);
+  return spec;
 }
 
-void write_side_tables(hid_t file, const StudyIdentity& identity) {
-  for (const StoredTable& table : identity.tables) {
-    write_table(file, table.spec, table.size(), [&](std::size_t i, char* record) {
-      std::memcpy(record, table.record(i), record_size(table.spec.fields));
-    });
+// The table of rows and, of every graph once, their columns that describe it.
+void write_rows(hid_t file, std::size_t count,
+                const std::function<void(std::size_t i, char* record)>& read) {
+  TableWriter instances(file, instances_spec());
+  TableWriter runs(file, runs_spec());
+  const std::vector<Column> columns = columns_of_kind(ColumnKind::instance);
+  std::vector<char> row(run_record_size());
+  std::string instance, key;
+  std::unordered_set<RowKey> seen;
+  for (std::size_t i = 0; i < count; ++i) {
+    read(i, row.data());
+    instance.clear();
+    key.clear();
+    for (const Column& column : columns) {
+      instance.append(row.data() + column.offset, column.size);
+      const bool is_of_key = column.name == "family" || column.name == "parameters" ||
+                             column.name == "requested_n" || column.name == "instance_index";
+      if (is_of_key) key.append(row.data() + column.offset, column.size);
+    }
+    const XXH128_hash_t hash = XXH3_128bits(key.data(), key.size());
+    if (seen.insert({hash.high64, hash.low64}).second) instances.append(instance.data());
+    runs.append(row.data());
   }
-}
-
-void write_environment(hid_t file, const std::vector<EnvironmentEntry>& environment) {
-  std::size_t name_size = 0;
-  std::size_t value_size = 0;
-  for (const EnvironmentEntry& entry : environment) {
-    name_size = std::max(name_size, entry.name.size());
-    value_size = std::max(value_size, entry.value.size());
-  }
-  const TableSpec table = environments_table(name_size, value_size);
-  write_table(file, table, environment.size(), [&](std::size_t i, char* to) {
-    const std::string name = fitted_text(environment[i].name, table.fields[1].size);
-    const std::string value = fitted_text(environment[i].value, table.fields[2].size);
-    std::memcpy(to, &environment[i].session, sizeof(environment[i].session));
-    name.copy(to + table.fields[1].offset, name.size());
-    value.copy(to + table.fields[2].offset, value.size());
-  });
+  instances.finish();
+  runs.finish();
 }
 
 [[noreturn]] void refuse(const std::string& path, const char* why) {
   throw InputError(fmt::format("cannot write {}: {}", path, why));
 }
 
+// A regular file that begins as HDF5 files do, open to read.
+Descriptor open_hdf5_file(const std::string& path) {
+  const auto refuse = [&](int reason) {
+    throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(reason)));
+  };
+  Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.get() < 0) refuse(errno);
+  struct stat status {};
+  if (fstat(file.get(), &status) != 0) refuse(errno);
+  if (S_ISDIR(status.st_mode)) refuse(EISDIR);
+  constexpr std::string_view kSignature("\211HDF\r\n\032\n", 8);
+  char start[kSignature.size()] = {};
+  if (!S_ISREG(status.st_mode) || pread(file.get(), start, sizeof(start), 0) != sizeof(start) ||
+      std::string_view(start, sizeof(start)) != kSignature) {
+    throw InputError(fmt::format("{} is not an HDF5 file", path));
+  }
+  return file;
+}
+
+void require_format(hid_t file) {
+  const std::string format = read_text_attribute(file, "format");
+  if (format != kResultsFormat) {
+    throw Hdf5Error(fmt::format("its format is '{}', not '{}'", format, kResultsFormat));
+  }
+  const long long version = read_integer_attribute(file, "format_version");
+  if (version != kResultsFormatVersion) {
+    throw Hdf5Error(fmt::format("it has format version {}, this program reads version {}", version,
+                                kResultsFormatVersion));
+  }
+}
+
+std::string read_spec(hid_t file) {
+  const Hdf5Handle dataset = open_own_dataset(file, "spec");
+  const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose, "read the type of /spec");
+  const Hdf5Handle space(H5Dget_space(dataset.get()), H5Sclose, "read the shape of /spec");
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 ||
+      H5Sget_simple_extent_npoints(space.get()) != 1 || H5Tget_size(type.get()) > kLargestSpec) {
+    throw Hdf5Error("/spec is not one string of fixed size");
+  }
+  std::string spec(H5Tget_size(type.get()), '\0');
+  hdf5_checked(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, spec.data()),
+               "read /spec");
+  spec.resize(std::min(spec.size(), spec.find('\0')));
+  return spec;
+}
+
+std::vector<EnvironmentEntry> read_environment(hid_t file, std::uint64_t bytes) {
+  const StoredTable table =
+      read_table(file,
+                 environments_spec(stored_text_size(file, "environments", "name"),
+                                   stored_text_size(file, "environments", "value")),
+                 bytes);
+  std::vector<EnvironmentEntry> entries;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    EnvironmentEntry& entry = entries.emplace_back();
+    std::memcpy(&entry.session, table.record(i), sizeof(entry.session));
+    entry.name = text_of(table.spec.fields[1], table.record(i));
+    entry.value = text_of(table.spec.fields[2], table.record(i));
+  }
+  return entries;
+}
+
+StudyIdentity read_identity(hid_t file) {
+  StudyIdentity identity;
+  identity.study_id = read_text_attribute(file, "study_id");
+  identity.spec = read_spec(file);
+  identity.spec_hash = read_text_attribute(file, "spec_hash");
+  if (identity.spec_hash != content_hash(identity.spec)) {
+    throw Hdf5Error("/spec is not what spec_hash says");
+  }
+  identity.source_hash = read_text_attribute(file, "source_hash");
+  identity.dirty = read_integer_attribute(file, "dirty") != 0;
+  identity.dirty_hash = read_text_attribute(file, "dirty_hash");
+  identity.created = read_text_attribute(file, "created");
+  const std::string shard = read_text_attribute(file, "shard");
+  if (!parse_shard(shard)) throw Hdf5Error(fmt::format("'{}' is no shard", shard));
+  identity.shard = *parse_shard(shard);
+  identity.planned_rows = read_integer_attribute(file, "planned_rows");
+  if (identity.planned_rows < -1) throw Hdf5Error("planned_rows is negative");
+  return identity;
+}
+
+// Runs `step`; what HDF5 has against the file becomes one line that names it.
+template <class Step>
+auto explained(const std::string& path, const Step& step) {
+  const Hdf5Silence silence;
+  try {
+    return step();
+  } catch (const Hdf5Error& error) {
+    throw InputError(fmt::format("{} is not a readable results file: {}", path, error.what()));
+  }
+}
+
+// What is read of a file in the process that only reads it.
+class OpenResults {
+ public:
+  OpenResults(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
+
+  std::string answer(std::uint64_t question) {
+    return explained(path_, [&] { return question == kDescription ? open() : rows(question - 1); });
+  }
+
+ private:
+  // Three lines: number of rows, identity, environment.
+  std::string open() {
+    H5PLset_loading_state(0);  // no filter that a file names is loaded
+    std::string opened = fmt::format("/proc/self/fd/{}", descriptor_);
+    if (access(opened.c_str(), F_OK) != 0) opened = path_;  // there is no /proc
+    const Hdf5Handle file(H5Fopen(opened.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+                          "open it");
+    require_format(file.get());
+    const std::uint64_t bytes = std::filesystem::file_size(opened);
+    StudyIdentity identity = read_identity(file.get());
+    for (const TableSpec& spec : side_table_specs()) {
+      if (has_table(file.get(), spec.name)) {
+        identity.tables.push_back(read_table(file.get(), spec, bytes));
+      }
+    }
+    Json environment = Json::array();
+    for (const EnvironmentEntry& entry : read_environment(file.get(), bytes)) {
+      environment.push_back({entry.name, entry.value, entry.session});
+    }
+    rows_.emplace(file.get(), runs_spec(), bytes);
+    return fmt::format("{}\n{}\n{}", rows_->size(), identity_text(identity),
+                       environment.dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+
+  std::string rows(std::uint64_t block) {
+    std::string answer;
+    const std::size_t end = std::min(rows_->size(), kBlockRows * (block + 1));
+    for (std::size_t i = kBlockRows * block; i < end; ++i) {
+      answer.append(rows_->read(i), run_record_size());
+    }
+    return answer;
+  }
+
+  std::string path_;
+  int descriptor_;
+  std::optional<TableReader> rows_;  // keeps the HDF5 file open
+};
+
+// A process that reads a file once its checksum is right.
+ReaderProcess process_for(const std::string& path) {
+  const Descriptor descriptor = open_hdf5_file(path);
+  require_checksum(descriptor.get(), path);
+  const auto file = std::make_shared<OpenResults>(path, descriptor.get());
+  return {path, descriptor, [file](std::uint64_t question) { return file->answer(question); }};
+}
+
 }  // namespace
 
 void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
-                   const RowFormat& format, const RecordSource& rows, const std::string& path) {
+                   std::size_t rows, const std::function<void(std::size_t i, char* record)>& read,
+                   const std::string& path) {
   NewFile file(path);
   const Hdf5Silence silence;
   try {
     Hdf5Output output(file.descriptor());
     write_root_attributes(output.get(), identity);
     write_spec(output.get(), identity.spec);
-    write_environment(output.get(), environment);
-    write_side_tables(output.get(), identity);
-    write_rows(output.get(), format, rows);
+    write_table(output.get(), environments_table(environment));
+    for (const StoredTable& table : identity.tables) write_table(output.get(), table);
+    write_rows(output.get(), rows, read);
     if (const int error = output.close()) refuse(path, std::strerror(error));
   } catch (const Hdf5Error& error) {
     refuse(path, error.what());
   }
   if (const int error = append_checksum(file.descriptor())) refuse(path, std::strerror(error));
   file.become_target();
+}
+
+RunReader::RunReader(const std::string& path) : path_(path), process_(process_for(path)) {
+  const std::string& answer = process_.ask(kDescription);
+  const std::size_t first = answer.find('\n'), second = answer.find('\n', first + 1);
+  try {
+    Json::parse(answer.substr(0, first)).get_to(size_);
+    identity_ = parse_identity(answer.substr(first + 1, second - first - 1), path);
+    for (const Json& entry : Json::parse(answer.substr(second + 1))) {
+      environment_.push_back({entry.at(0), entry.at(1), entry.at(2)});
+    }
+  } catch (const Json::exception&) {
+    throw InputError(fmt::format("{} is damaged: reading it gives no rows", path));
+  }
+  if (size_ / kMostRecordsPerByte > std::filesystem::file_size(path)) {
+    throw InputError(fmt::format("{} is damaged: it cannot hold {} rows", path, size_));
+  }
+  algorithms_ = side_records<AlgorithmRecord>(identity_);
+}
+
+std::vector<std::vector<EnvironmentEntry>> RunReader::sessions() const {
+  std::vector<std::vector<EnvironmentEntry>> sessions;
+  for (EnvironmentEntry entry : environment_) {
+    const auto number = static_cast<std::size_t>(entry.session);
+    if (number > sessions.size()) {
+      throw InputError(fmt::format("{}: /environments has no session {}", path_, sessions.size()));
+    }
+    if (number == sessions.size()) sessions.emplace_back();
+    entry.session = 0;
+    sessions[number].push_back(std::move(entry));
+  }
+  return sessions;
+}
+
+const char* RunReader::record(std::size_t i) {
+  expect(i < size_, "a table has that record");
+  if (i / kBlockRows != block_) {
+    block_ = SIZE_MAX;
+    rows_ = process_.ask(i / kBlockRows + 1);
+    block_ = i / kBlockRows;
+  }
+  if (rows_.size() < (i % kBlockRows + 1) * run_record_size()) {
+    throw InputError(fmt::format("{} is damaged: reading row {} gives none", path_, i));
+  }
+  return rows_.data() + i % kBlockRows * run_record_size();
+}
+
+void RunReader::read(std::size_t i, char* record) {
+  std::memcpy(record, this->record(i), run_record_size());
+}
+
+RunRecord RunReader::read(std::size_t i) {
+  const char* bytes = record(i);
+  try {
+    RunRecord run = load_record(bytes);
+    if (!run.row_key.empty()) parse_row_key(run.row_key);
+    set_bounds(find_algorithm_record(algorithms_, run.algorithm, run.options), run);
+    return run;
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: row {}: {}", path_, i, error.what()));
+  }
+}
+
+RowKey RunReader::key(std::size_t i) {
+  const char* bytes = record(i);
+  try {
+    return key_of_record(bytes);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: row {}: {}", path_, i, error.what()));
+  }
 }
 
 }  // namespace ar3d

@@ -16,6 +16,8 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 namespace {
@@ -49,15 +51,16 @@ bool take_number(std::string_view& text, void* to, Base... base) {
   return error == std::errc();
 }
 
-bool take_head(std::string_view& line, JournalHead& head) {
-  if (!take(line, kRecordStart) || !take_number<std::uint64_t>(line, &head.rows) ||
-      !take(line, ",\"not_ok\":") || !take_number<std::uint64_t>(line, &head.not_ok) ||
+// To the payload.
+bool take_head(std::string_view& line, JournalRecord& record) {
+  if (!take(line, kRecordStart) || !take_number<std::uint64_t>(line, &record.rows) ||
+      !take(line, ",\"not_ok\":") || !take_number<std::uint64_t>(line, &record.not_ok) ||
       !take(line, ",\"")) {
     return false;
   }
   const std::string_view word = line.substr(0, line.find('"'));
   const auto* const kind = std::find(kKinds.begin(), kKinds.end(), word);
-  head.kind = static_cast<JournalKind>(kind - kKinds.begin());
+  record.kind = static_cast<JournalKind>(kind - kKinds.begin());
   return kind != kKinds.end() && take(line, word) && take(line, "\":");
 }
 
@@ -67,19 +70,6 @@ Json as_json(const std::vector<Field>& fields) {
     columns.push_back({field.name, static_cast<int>(field.type), field.size});
   }
   return columns;
-}
-
-// A number that is what it claims to be: JSON's own conversions wrap and cut.
-template <class Integer>
-Integer whole_number(const Json& json, std::string_view what, const std::string& path) {
-  if (json.is_number_unsigned() && std::in_range<Integer>(json.get<std::uint64_t>())) {
-    return static_cast<Integer>(json.get<std::uint64_t>());
-  }
-  if (json.is_number_integer() && !json.is_number_unsigned() &&
-      std::in_range<Integer>(json.get<std::int64_t>())) {
-    return static_cast<Integer>(json.get<std::int64_t>());
-  }
-  throw InputError(fmt::format("{}: {} is not a number in range", path, what));
 }
 
 // Environments come from the system, which knows no character set.
@@ -144,17 +134,6 @@ void write_value(const Field& field, const char* from, std::string& json) {
   }
 }
 
-void write_record(const std::vector<Field>& fields, const char* record, std::string& json) {
-  json += '{';
-  for (const Field& field : fields) {
-    const char* from = record + field.offset;
-    if (is_missing(field, from)) continue;
-    json.append(json.back() == '{' ? "\"" : ",\"").append(field.name).append("\":");
-    write_value(field, from, json);
-  }
-  json += '}';
-}
-
 // A text without its escapes. False if it has no end or is longer than its field.
 bool take_text(std::string_view& json, const Field& field, char* to) {
   if (!take(json, "\"")) return false;
@@ -183,27 +162,6 @@ bool take_value(std::string_view& json, const Field& field, char* to) {
   return take_number<std::uint64_t>(json, to, 16) && take(json, "\"");
 }
 
-// What write_record() has written. Anything else is refused, other JSON too.
-void parse_record(const std::vector<Field>& fields, std::string_view json, const std::string& path,
-                  char* record) {
-  std::string key;
-  bool is_good = take(json, "{");
-  for (const Field& field : fields) {
-    char* to = record + field.offset;
-    store_missing(field, to);
-    key.append("\"").append(field.name).append("\":");
-    if (take(json, key)) {
-      is_good = is_good && take_value(json, field, to);
-      key = ",";
-    } else {
-      key.resize(key.starts_with(',') ? 1 : 0);
-    }
-  }
-  if (is_good && json == "}") return;
-  throw InputError(fmt::format("{}: a record is none of its table from '{}' on", path,
-                               printable(json.substr(0, 40))));
-}
-
 Json tables_as_json(const StudyIdentity& identity) {
   Json tables = Json::array();
   for (const StoredTable& table : identity.tables) {
@@ -220,20 +178,10 @@ Json tables_as_json(const StudyIdentity& identity) {
   return tables;
 }
 
-Shard parse_shard(const Json& json, const std::string& path) {
-  const Shard shard{whole_number<std::uint32_t>(json.at(0), "the shard", path),
-                    whole_number<std::uint32_t>(json.at(1), "the shard", path)};
-  if (!is_shard(shard)) {
-    throw InputError(fmt::format("{}: {}/{} is no shard", path, shard.index, shard.count));
-  }
-  return shard;
-}
-
-std::vector<StoredTable> parse_tables(const Json& json, const RowFormat& format,
-                                      const std::string& path) {
+std::vector<StoredTable> parse_tables(const Json& json, const std::string& path) {
   std::vector<StoredTable> tables;
   for (const Json& entry : json) {
-    for (const TableSpec& spec : format.tables) {
+    for (const TableSpec& spec : side_table_specs()) {
       if (entry.at("name") != spec.name || entry.at("columns") != as_json(spec.fields)) continue;
       const std::size_t size = record_size(spec.fields);
       tables.push_back({spec, std::vector<char>(size * entry.at("records").size())});
@@ -249,26 +197,18 @@ std::vector<StoredTable> parse_tables(const Json& json, const RowFormat& format,
   return tables;
 }
 
-void require_columns(const Json& json, const RowFormat& format, const std::string& path) {
-  if (json.at("columns") == as_json(format.rows.fields)) return;
-  throw InputError(
-      fmt::format("{}: its rows have other columns; it was written by the program of source {}",
-                  path, json.at("source_hash").get<std::string>()));
-}
-
 }  // namespace
 
 bool begins_as_journal(std::string_view bytes) {
   return bytes.starts_with(kJournalStart) || bytes.starts_with("ar3d-journal ");
 }
 
-void frame_record(const JournalHead& head, std::string_view payload, std::uint64_t offset,
-                  std::string& line) {
+void frame_record(const JournalRecord& record, std::string& line) {
   line.clear();
-  fmt::format_to(std::back_inserter(line), "{}{},\"not_ok\":{},\"{}\":", kRecordStart, head.rows,
-                 head.not_ok, kKinds[static_cast<std::size_t>(head.kind)]);
-  line += payload;
-  line += tail_of(line, offset);
+  fmt::format_to(std::back_inserter(line), "{}{},\"not_ok\":{},\"{}\":{}", kRecordStart,
+                 record.rows, record.not_ok, kKinds[static_cast<std::size_t>(record.kind)],
+                 record.payload);
+  line += tail_of(line, record.offset);
 }
 
 std::optional<JournalRecord> parse_line(std::string_view line, std::uint64_t offset) {
@@ -278,7 +218,7 @@ std::optional<JournalRecord> parse_line(std::string_view line, std::uint64_t off
   JournalRecord record;
   record.offset = offset;
   record.payload = covered;
-  if (!take_head(record.payload, record.head)) return std::nullopt;
+  if (!take_head(record.payload, record)) return std::nullopt;
   record.payload_offset = offset + covered.size() - record.payload.size();
   return record;
 }
@@ -290,24 +230,42 @@ bool is_cut_short(std::string_view bytes) {
          bytes.find('\0') == bytes.npos && (tail == bytes.npos || bytes.size() < tail + kTailSize);
 }
 
-void write_row(const RowFormat& format, const char* record, std::string& json) {
-  json.clear();
-  write_record(format.rows.fields, record, json);
+void write_record(const std::vector<Field>& fields, const char* record, std::string& json) {
+  json += '{';
+  for (const Field& field : fields) {
+    const char* from = record + field.offset;
+    if (is_missing(field, from)) continue;
+    json.append(json.back() == '{' ? "\"" : ",\"").append(field.name).append("\":");
+    write_value(field, from, json);
+  }
+  json += '}';
 }
 
-void parse_row(const RowFormat& format, std::string_view json, const std::string& path,
-               char* record) {
-  parse_record(format.rows.fields, json, path, record);
+void parse_record(const std::vector<Field>& fields, std::string_view json, const std::string& path,
+                  char* record) {
+  std::string key;
+  bool is_good = take(json, "{");
+  for (const Field& field : fields) {
+    char* to = record + field.offset;
+    store_missing(field, to);
+    key.append("\"").append(field.name).append("\":");
+    if (take(json, key)) {
+      is_good = is_good && take_value(json, field, to);
+      key.assign(1, ',');
+    } else {
+      key.resize(key.starts_with(',') ? 1 : 0);
+    }
+  }
+  if (is_good && json == "}") return;
+  throw InputError(fmt::format("{}: a record is none of its table from '{}' on", path,
+                               printable(json.substr(0, 40))));
 }
 
-RowKey key_of_row(const RowFormat& format, std::string_view json) {
-  expect(format.key == 0, "a row begins with its key");
-  const Field& field = format.rows.fields.front();
-  const bool is_first = take(json, "{\"") && take(json, field.name) && take(json, "\":\"");
-  return parse_row_key(is_first ? json.substr(0, field.size) : "");
+RowKey key_of_row(std::string_view json) {
+  return parse_row_key(take(json, R"({"row_key":")") ? json.substr(0, 32) : "");
 }
 
-std::string identity_text(const StudyIdentity& identity, const RowFormat& format) {
+std::string identity_text(const StudyIdentity& identity) {
   return dumped({{"version", 3},
                  {"study_id", identity.study_id},
                  {"spec", identity.spec},
@@ -319,25 +277,33 @@ std::string identity_text(const StudyIdentity& identity, const RowFormat& format
                  {"shard", {identity.shard.index, identity.shard.count}},
                  {"planned_rows", identity.planned_rows},
                  {"tables", tables_as_json(identity)},
-                 {"columns", as_json(format.rows.fields)}});
+                 {"columns", as_json(runs_spec().fields)}});
 }
 
-StudyIdentity parse_identity(std::string_view text, const RowFormat& format,
-                             const std::string& path) {
+StudyIdentity parse_identity(std::string_view text, const std::string& path) {
   return parsed(text, path, [&](const Json& json) {
-    require_columns(json, format, path);
     StudyIdentity identity;
+    json.at("source_hash").get_to(identity.source_hash);
+    if (json.at("columns") != as_json(runs_spec().fields)) {
+      throw InputError(
+          fmt::format("{}: its rows have other columns; it was written by the program of source {}",
+                      path, identity.source_hash));
+    }
     json.at("study_id").get_to(identity.study_id);
     json.at("spec").get_to(identity.spec);
     json.at("spec_hash").get_to(identity.spec_hash);
-    json.at("source_hash").get_to(identity.source_hash);
     json.at("dirty").get_to(identity.dirty);
     json.at("dirty_hash").get_to(identity.dirty_hash);
     json.at("created").get_to(identity.created);
-    identity.shard = parse_shard(json.at("shard"), path);
-    identity.planned_rows =
-        whole_number<std::int64_t>(json.at("planned_rows"), "planned_rows", path);
-    identity.tables = parse_tables(json.at("tables"), format, path);
+    const std::string shard =
+        fmt::format("{}/{}", json.at("shard").at(0).dump(), json.at("shard").at(1).dump());
+    if (!parse_shard(shard)) throw InputError(fmt::format("{}: {} is no shard", path, shard));
+    identity.shard = *parse_shard(shard);
+    json.at("planned_rows").get_to(identity.planned_rows);
+    if (!json.at("planned_rows").is_number_integer() || identity.planned_rows < -1) {
+      throw InputError(fmt::format("{}: planned_rows is not a number in range", path));
+    }
+    identity.tables = parse_tables(json.at("tables"), path);
     return identity;
   });
 }

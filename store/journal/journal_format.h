@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ar3d/store/columns/row_format.h"
+#include "ar3d/store/columns/row_key.h"
+#include "ar3d/store/columns/table.h"
 #include "ar3d/store/study_identity.h"
 
 namespace ar3d {
@@ -26,23 +27,18 @@ bool begins_as_journal(std::string_view bytes);
 /// By the key of their content in the line: ar3d_journal, session, row, session_end.
 enum class JournalKind : std::uint8_t { identity, session, row, session_end };
 
-/// Stands at the beginning of every line.
-struct JournalHead {
+/// Describes a line.
+struct JournalRecord {
   JournalKind kind = JournalKind::row;
   std::uint64_t rows = 0;    ///< in the journal up to and with this record
   std::uint64_t not_ok = 0;  ///< of them, with another status than ok or measured
-};
-
-struct JournalRecord {
-  JournalHead head;
   std::uint64_t offset = 0;  ///< of its line
   std::uint64_t payload_offset = 0;
-  std::string_view payload;  ///< JSON; valid during the visit
+  std::string_view payload = {};  ///< JSON; valid during the visit
 };
 
-/// Writes a record's line, which is to stand at `offset`: a moved one fails its checksum.
-void frame_record(const JournalHead& head, std::string_view payload, std::uint64_t offset,
-                  std::string& line);
+/// Writes a record's line, which is to stand at its offset: a moved one fails its checksum.
+void frame_record(const JournalRecord& record, std::string& line);
 
 /// Returns the record of a line that ends with a newline; none if it is not whole.
 std::optional<JournalRecord> parse_line(std::string_view line, std::uint64_t offset);
@@ -57,24 +53,24 @@ bool is_cut_short(std::string_view bytes);
 std::uint64_t scan_journal(int file, const std::string& path,
                            const std::function<bool(const JournalRecord&)>& visit);
 
-/// The last whole record, found from the file's end in bounded time, however long the file is.
-/// @throws InputError as scan_journal.
-JournalHead last_journal_record(int file, const std::string& path);
+/// Returns the last whole record without its payload, found from the file's end in bounded time,
+/// however long the file is; one without rows if there is none. @throws InputError as scan_journal.
+JournalRecord last_journal_record(int file, const std::string& path);
 
-/// Writes a row as a JSON object of its fields, without those that hold what stands for no value.
-/// Every number reads back bit for bit. @throws InputError if a text is not printable.
-void write_row(const RowFormat& format, const char* record, std::string& json);
-/// @throws InputError naming `path` and the field if the text is no row of that format.
-void parse_row(const RowFormat& format, std::string_view json, const std::string& path,
-               char* record);
+/// Appends a record as a JSON object of its fields, without those that hold what stands for no
+/// value. Every number reads back bit for bit. @throws InputError if a text is not printable.
+void write_record(const std::vector<Field>& fields, const char* record, std::string& json);
+/// Reads what write_record() has written; anything else is refused, other JSON too.
+/// @throws InputError naming `path` and the place.
+void parse_record(const std::vector<Field>& fields, std::string_view json, const std::string& path,
+                  char* record);
 /// Returns the key of a row without a look at the rest of it. @throws InputError
-RowKey key_of_row(const RowFormat& format, std::string_view json);
+RowKey key_of_row(std::string_view json);
 
 /// Returns the study's identity with its tables, and the columns that the rows have, as JSON.
-std::string identity_text(const StudyIdentity& identity, const RowFormat& format);
-/// @throws InputError naming `path` if it is not the identity of a study with the format's columns.
-StudyIdentity parse_identity(std::string_view text, const RowFormat& format,
-                             const std::string& path);
+std::string identity_text(const StudyIdentity& identity);
+/// @throws InputError naming `path` if it is not the identity of a study with this program's columns.
+StudyIdentity parse_identity(std::string_view text, const std::string& path);
 
 std::string session_text(const std::vector<EnvironmentEntry>& environment);
 /// @throws InputError naming `path`.

@@ -12,6 +12,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/system_calls.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 namespace {
@@ -130,36 +131,37 @@ std::uint64_t scan_journal(int file, const std::string& path,
   return offset;
 }
 
-JournalHead last_journal_record(int file, const std::string& path) {
+JournalRecord last_journal_record(int file, const std::string& path) {
   JournalLines lines(file, path);
   for (std::uint64_t window = kReadAtOnce / 16;; window *= 4) {
     const std::uint64_t from = window < lines.size() ? lines.size() - window : 0;
-    std::optional<JournalHead> last;
+    std::optional<JournalRecord> last;
     for (auto record = lines.next_record(from); record;
          record = lines.next_record(lines.end_of(*record))) {
-      last = record->head;
+      last = record;
+      last->payload = {};
     }
-    if (last || from == 0) return last.value_or(JournalHead());
+    if (last || from == 0) return last.value_or(JournalRecord());
   }
 }
 
-JournalStatus journal_status(const std::string& path, const RowFormat& format) {
+JournalStatus journal_status(const std::string& path) {
   const Descriptor file = open_to_read(path);
   JournalStatus status;
   scan_journal(file.get(), path, [&](const JournalRecord& record) {
-    status.identity = parse_identity(record.payload, format, path);
+    status.identity = parse_identity(record.payload, path);
     return false;  // the first record is all that is asked for
   });
   require_beginning(status.identity, path);
-  const JournalHead last = last_journal_record(file.get(), path);
+  const JournalRecord last = last_journal_record(file.get(), path);
   status.rows = last.rows;
   status.not_ok = last.not_ok;
   status.is_written = is_locked(file.get());
   return status;
 }
 
-JournalReader::JournalReader(std::string path, const RowFormat& format)
-    : path_(std::move(path)), format_(format), file_(open_to_read(path_)) {
+JournalReader::JournalReader(std::string path)
+    : path_(std::move(path)), file_(open_to_read(path_)) {
   whole_bytes_ = scan_journal(file_.get(), path_, [this](const JournalRecord& record) {
     note(record);
     return true;
@@ -169,9 +171,9 @@ JournalReader::JournalReader(std::string path, const RowFormat& format)
 
 void JournalReader::note(const JournalRecord& record) {
   const auto session_entries = [&] { return parse_session(record.payload, path_); };
-  switch (record.head.kind) {
+  switch (record.kind) {
     case JournalKind::identity:
-      identity_ = parse_identity(record.payload, format_, path_);
+      identity_ = parse_identity(record.payload, path_);
       return;
     case JournalKind::session:
       sessions_.push_back(session_entries());
@@ -185,8 +187,7 @@ void JournalReader::note(const JournalRecord& record) {
       }
       return;
     case JournalKind::row:
-      rows_.push_back(
-          {key_of_row(format_, record.payload), record.payload_offset, record.payload.size()});
+      rows_.push_back({key_of_row(record.payload), record.payload_offset, record.payload.size()});
       return;
   }
 }
@@ -199,7 +200,7 @@ void JournalReader::read(std::size_t i, char* record) const {
       static_cast<ssize_t>(json.size())) {
     refuse(path_, errno);
   }
-  parse_row(format_, json, path_, record);
+  parse_record(runs_spec().fields, json, path_, record);
 }
 
 }  // namespace ar3d

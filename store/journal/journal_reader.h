@@ -19,16 +19,15 @@ struct JournalStatus {
 
 /// Reads the identity and the last record: the same time for any number of rows, also while the
 /// journal is written. @throws InputError if it cannot be read or is no journal.
-JournalStatus journal_status(const std::string& path, const RowFormat& format);
+JournalStatus journal_status(const std::string& path);
 
 /// Represents a journal's rows in the order in which they were made; may be written meanwhile: what
 /// is whole when it is opened counts. Memory: 32 bytes per row.
 class JournalReader {
  public:
-  /// @param format  outlives the reader.
   /// @throws InputError if it cannot be read, is no journal, has other columns, or is damaged
   /// (naming the offset).
-  JournalReader(std::string path, const RowFormat& format);
+  explicit JournalReader(std::string path);
 
   const StudyIdentity& identity() const { return identity_; }
   /// Entry `session` is its position.
@@ -50,7 +49,6 @@ class JournalReader {
   void note(const JournalRecord& record);
 
   std::string path_;
-  const RowFormat& format_;
   Descriptor file_;
   std::uint64_t whole_bytes_ = 0;
   StudyIdentity identity_;

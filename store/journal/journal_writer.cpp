@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "ar3d/base/system_calls.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 namespace {
@@ -49,9 +50,8 @@ bool has_no_name(int file) {
 }  // namespace
 
 JournalWriter::JournalWriter(const std::string& path, const StudyIdentity& identity,
-                             const RowFormat& format,
                              const std::function<void(const JournalRecord&)>& existing)
-    : path_(path), format_(format), record_(format.record_size()) {
+    : path_(path), record_(run_record_size()) {
   create_if_missing(identity);
   lock();
   read_existing(identity, existing);
@@ -71,7 +71,8 @@ JournalWriter::~JournalWriter() {
 // The identity is in the file before it gets its name, so that no crash leaves half a beginning.
 void JournalWriter::create_if_missing(const StudyIdentity& identity) {
   if (access(path_.c_str(), F_OK) != 0) {
-    frame_record({.kind = JournalKind::identity}, identity_text(identity, format_), 0, line_);
+    const std::string text = identity_text(identity);
+    frame_record({.kind = JournalKind::identity, .payload = text}, line_);
     create_file_atomically(path_, line_);
   }
   file_ = Descriptor(open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC));
@@ -98,12 +99,12 @@ void JournalWriter::lock() {
 void JournalWriter::read_existing(const StudyIdentity& identity,
                                   const std::function<void(const JournalRecord&)>& existing) {
   end_ = scan_journal(file_.get(), path_, [&](const JournalRecord& record) {
-    head_ = record.head;
-    if (record.head.kind == JournalKind::identity) {
-      require_same(parse_identity(record.payload, format_, path_), identity, path_);
+    last_ = record;
+    if (record.kind == JournalKind::identity) {
+      require_same(parse_identity(record.payload, path_), identity, path_);
     }
-    if (record.head.kind == JournalKind::session) ++session_;
-    if (record.head.kind == JournalKind::row && existing) existing(record);
+    if (record.kind == JournalKind::session) ++session_;
+    if (record.kind == JournalKind::row && existing) existing(record);
     return true;
   });
   const off_t size = lseek(file_.get(), 0, SEEK_END);
@@ -131,40 +132,41 @@ void JournalWriter::keep_what_is_cut() {
 }
 
 void JournalWriter::begin_session(const std::vector<EnvironmentEntry>& environment) {
-  write_record(JournalKind::session, head_, session_text(environment));
+  json_ = session_text(environment);
+  write_line({JournalKind::session, last_.rows, last_.not_ok});
   ++session_;
 }
 
 void JournalWriter::end_session(const std::vector<EnvironmentEntry>& environment) {
-  write_record(JournalKind::session_end, head_, session_text(environment));
+  json_ = session_text(environment);
+  write_line({JournalKind::session_end, last_.rows, last_.not_ok});
   sync();
 }
 
-void JournalWriter::append(const std::function<void(char* record)>& store) {
+void JournalWriter::append(const RunRecord& run) {
+  static const Column& session = run_column("session");
   expect(session_ >= 0, "a journal's rows belong to a session");
-  store(record_.data());
-  std::memcpy(record_.data() + format_.rows.fields[format_.session].offset, &session_,
-              sizeof(session_));
+  store_record(run, record_.data());
+  std::memcpy(record_.data() + session.offset, &session_, sizeof(session_));
   append_record(record_.data());
 }
 
 void JournalWriter::append_record(const char* record) {
-  write_row(format_, record, json_);
-  const Field& status = format_.rows.fields[format_.status];
-  const auto has_status = [&](const std::string& word) {  // with the null that ends it
-    return std::memcmp(record + status.offset, word.c_str(), word.size() + 1) == 0;
-  };
-  JournalHead head = head_;
-  ++head.rows;
-  if (!has_status("ok") && !has_status("measured")) ++head.not_ok;
-  write_record(JournalKind::row, head, json_);
+  static const Column& column = run_column("status");
+  json_.clear();
+  write_record(runs_spec().fields, record, json_);
+  const std::string status = text_of(column, record);
+  const bool is_ok = status == "ok" || status == "measured";
+  write_line({JournalKind::row, last_.rows + 1, last_.not_ok + (is_ok ? 0 : 1)});
 }
 
-void JournalWriter::write_record(JournalKind kind, JournalHead head, std::string_view payload) {
+// Of a line with json_ as its payload.
+void JournalWriter::write_line(JournalRecord record) {
   if (const int reason = sync_error_) fail(reason);
   put_back_if_deleted();
-  head.kind = kind;
-  frame_record(head, payload, end_, line_);
+  record.offset = end_;
+  record.payload = json_;
+  frame_record(record, line_);
   if (const std::size_t written = write_whole(file_.get(), line_); written < line_.size()) {
     const int reason = errno;
     cut_half_record(written);
@@ -174,7 +176,7 @@ void JournalWriter::write_record(JournalKind kind, JournalHead head, std::string
   // process, and this record does not count there.
   const off_t written_to = lseek(file_.get(), 0, SEEK_CUR);
   if (written_to != static_cast<off_t>(end_ + line_.size())) fail_because_of_another();
-  head_ = head;
+  last_ = record;
   end_ += line_.size();
   unsynced_ = true;
 }
@@ -204,7 +206,7 @@ void JournalWriter::put_back_if_deleted() {
     throw JournalFull(fmt::format("{} was replaced by another file while rows went there", path_));
   }
   throw JournalFull(fmt::format("{} was deleted while rows went there; it is back with {} of them",
-                                path_, head_.rows));
+                                path_, last_.rows));
 }
 
 void JournalWriter::sync() {

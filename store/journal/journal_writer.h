@@ -12,6 +12,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/store/columns/run_record.h"
 #include "ar3d/store/journal/journal_format.h"
 
 namespace ar3d {
@@ -35,8 +36,7 @@ class JournalWriter {
   /// rows that it holds.
   /// @throws InputError if another process writes it, it is damaged, it is of another study, shard
   /// or source, or it cannot be written.
-  /// @param format  outlives the writer.
-  JournalWriter(const std::string& path, const StudyIdentity& identity, const RowFormat& format,
+  JournalWriter(const std::string& path, const StudyIdentity& identity,
                 const std::function<void(const JournalRecord& row)>& existing = {});
   ~JournalWriter();
   JournalWriter(const JournalWriter&) = delete;
@@ -47,9 +47,10 @@ class JournalWriter {
   /// Writes what is known only at the end of the session, such as the load.
   void end_session(const std::vector<EnvironmentEntry>& environment);
 
-  /// Appends a row of this session; `store` writes its record. One call at a time.
-  /// @throws JournalFull: the row is not in the journal, all before it are.
-  void append(const std::function<void(char* record)>& store);
+  /// Appends a row of this session. One call at a time.
+  /// @throws JournalFull: the row is not in the journal, all before it are; InputError as
+  /// store_record.
+  void append(const RunRecord& run);
 
   /// Appends a record as it is; its session counts this journal's, from 0.
   void append_record(const char* record);
@@ -57,7 +58,7 @@ class JournalWriter {
   /// Everything appended is on the disk. @throws JournalFull
   void sync();
 
-  std::uint64_t rows() const { return head_.rows; }
+  std::uint64_t rows() const { return last_.rows; }
   /// Returns bytes of an unfinished record that opening the journal cut off.
   std::uint64_t bytes_cut() const { return bytes_cut_; }
   /// Returns the file beside the journal that they are kept in; empty if they were the beginning of
@@ -73,18 +74,17 @@ class JournalWriter {
   void cut_half_record(std::size_t written);
   [[noreturn]] void fail_because_of_another() const;
   void put_back_if_deleted();
-  void write_record(JournalKind kind, JournalHead head, std::string_view payload);
+  void write_line(JournalRecord record);
   void sync_every_second();
   [[noreturn]] void fail(int reason) const;
 
   std::string path_;
-  const RowFormat& format_;
   Descriptor file_;
   std::uint64_t end_ = 0;
   std::uint64_t bytes_cut_ = 0;
   std::string cut_file_;
   std::int64_t session_ = -1;
-  JournalHead head_;
+  JournalRecord last_;
   std::vector<char> record_;
   std::string json_;
   std::string line_;

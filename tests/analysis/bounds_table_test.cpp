@@ -23,7 +23,8 @@ Results three_instances() {
   const SizeBound theorem{"here", "a page", {{{8, 1, 2, 0}, {8, 1, 2, 0}, {1, 1, 4, 0}}}};
   const SizeBound published{"paper", "Theorem", {{{12, 1, 2, 0}, {1, 1, 6, 0}, {1, 1, 6, 0}}}};
   const ar3d::RunRecord& run = results.runs.front();
-  results.tables = {algorithm_table({{run.algorithm, run.options, theorem, published}})};
+  results.tables = {
+      side_table<AlgorithmRecord>({{run.algorithm, run.options, theorem, published}})};
   return results;
 }
 

@@ -15,7 +15,7 @@ constexpr std::int64_t kCollectionGraphs = 400;
 Results collection_results(std::int64_t graphs = kCollectionGraphs) {
   Results results = good_results({"diamond", "compact", "grid"}, {}, 0, 0);
   results.tables.push_back(
-      graph_file_table({{"rome", 0, graphs, std::string(32, 'a'), "/rome/*.graphml"}}));
+      side_table<GraphFileRecord>({{"rome", 0, graphs, std::string(32, 'a'), "/rome/*.graphml"}}));
   for (const char* algorithm : {"diamond", "compact", "grid"}) {
     for (std::int64_t i = 0; i < graphs; ++i) {
       RunRecord run = good_run(algorithm, "rome", 10 + i % 100, i);

@@ -41,7 +41,8 @@ TEST(Report, CrossingsOfFewGraphsOrOfDifferentOnesAreNotTold) {
 
 TEST(Report, PrintedCommandsNameTheFile) {
   Results results = good_results({"diamond"}, {"nets"}, 2, 1);
-  results.tables.push_back(graph_file_table({{"nets", 0, 2, std::string(32, 'a'), "/nets.s6"}}));
+  results.tables.push_back(
+      side_table<GraphFileRecord>({{"nets", 0, 2, std::string(32, 'a'), "/nets.s6"}}));
   results.runs[1].status = RunStatus::timeout;
   RowView rows = view_of(results);
   rows.file = "out/my runs.h5";
@@ -57,9 +58,9 @@ TEST(Report, PrintedCommandsNameTheFile) {
 Results with_program(RunStatus status) {
   Results results = good_results({"grid", "peer"}, {"cubic"}, 4, 3);
   const AxisBound any{0, 1, 0, std::int64_t{1} << 61};
-  std::vector<AlgorithmRecord> records = algorithm_records(results);
+  std::vector<AlgorithmRecord> records = side_records<AlgorithmRecord>(results);
   records.at(1).theorem = {"integers", "at most 2^61", {any, any, any}};
-  results.tables = {algorithm_table(records)};
+  results.tables = {side_table<AlgorithmRecord>(records)};
   DrawingSummary summary;
   summary.log2_relative_volume = 6;
   ar3d::RunRecord measured;

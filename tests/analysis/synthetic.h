@@ -60,7 +60,7 @@ inline Results good_results(const std::vector<std::string>& algorithms,
   const SizeBound theorem{"here", "a page", {{{16, 3, 2, 0}, {16, 3, 2, 0}, {8, 1, 2, 0}}}};
   std::vector<AlgorithmRecord> records;
   for (const std::string& algorithm : algorithms) records.push_back({algorithm, "", theorem, {}});
-  results.tables = {algorithm_table(records)};
+  results.tables = {side_table<AlgorithmRecord>(records)};
   for (const std::string& algorithm : algorithms) {
     for (const std::string& family : families) {
       for (std::size_t s = 0; s < sizes; ++s) {

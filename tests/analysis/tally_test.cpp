@@ -160,7 +160,8 @@ TEST(Tally, SamplesHaveTheMeansOfAllInTheirFits) {
 // No family makes the graphs of a file: such a row is shown by replay.
 TEST(Check, RowsOfGraphFilesAreShownByReplay) {
   Results results = good_results({"diamond"}, {"cubic", "nets"}, 2, 1);
-  results.tables.push_back(graph_file_table({{"nets", 0, 2, std::string(32, 'a'), "/nets.s6"}}));
+  results.tables.push_back(
+      side_table<GraphFileRecord>({{"nets", 0, 2, std::string(32, 'a'), "/nets.s6"}}));
   results.runs[1].status = results.runs[3].status = RunStatus::timeout;
   const CheckVerdict verdict = check(results);
   EXPECT_EQ(verdict.findings.at(0).command.substr(0, 20), "ar3d generate cubic ");

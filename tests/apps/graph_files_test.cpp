@@ -115,8 +115,8 @@ TEST_F(GraphFiles, ACollectionOfFilesIsOneFamilyInPlanRowsResumeAndReplay) {
     names.insert(row.graph_name);
   }
   EXPECT_EQ(names.size(), 60u);
-  ASSERT_EQ(skipped_file_records(results).size(), 1u);
-  EXPECT_EQ(skipped_file_records(results)[0].file, "notes.txt");
+  ASSERT_EQ(side_records<SkippedFile>(results).size(), 1u);
+  EXPECT_EQ(side_records<SkippedFile>(results)[0].file, "notes.txt");
   expect_exit(0, run("{} replay --sample 20 " + path("r.h5")));
   fs::rename(path("rome"), path("moved"));
   expect_exit(0, run("{} replay " + path("r.h5") + " 7 --graphs " + path("moved")));

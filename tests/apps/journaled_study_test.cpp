@@ -151,10 +151,7 @@ TEST_F(JournaledStudy, ResumeRefusesTheImpossibleToo) {
       "study = \"tight\"\nbudget = { row_time_s = 1e-9 }\n[[sweep]]\nfamilies = \"cycle\"\n"
       "sizes = 1000\nalgorithms = \"diamond\"\n";
   const std::string journal = path("tight.h5.journal");
-  {
-    const JournalWriter begun(journal, describe_study(parse_study(spec, "tight.toml"), 1),
-                              run_format());
-  }
+  { const JournalWriter begun(journal, describe_study(parse_study(spec, "tight.toml"), 1)); }
   expect_error(study("resume -q " + journal), "but budget.row_time_s gives");
 }
 

@@ -98,7 +98,7 @@ TEST_F(StudyFiles, WhereLocksDoNothingNoAcknowledgedRowIsLost) {
       "/dev/null || echo 0)\" -gt 20000 ]; do sleep 0.01; done; " + study +
       "resume -q --threads 1 r.h5 2> b; wait; cat a b");
   EXPECT_THAT(both.out, HasSubstr("is being written by another process, too"));
-  const JournalReader reader(path("r.h5.journal"), run_format());
+  const JournalReader reader(path("r.h5.journal"));
   std::map<std::string, std::string> rows;
   std::string record(run_record_size(), '\0');
   for (std::size_t i = 0; i < reader.size(); ++i) {

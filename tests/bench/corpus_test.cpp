@@ -282,17 +282,17 @@ TEST(GraphFileTable, KeepsAnyPath) {
   StudyIdentity identity;
   const std::vector<GraphFileRecord> records = {
       {"a.s6", 0, 7, std::string(32, 'a'), "/tmp/with blank/100%/\xc3\xa4.s6"}};
-  identity.tables = {graph_file_table(records)};
-  const std::vector<GraphFileRecord> read = graph_file_records(identity);
+  identity.tables = {side_table<GraphFileRecord>(records)};
+  const std::vector<GraphFileRecord> read = side_records<GraphFileRecord>(identity);
   ASSERT_EQ(read.size(), 1u);
   EXPECT_EQ(read[0].path, records[0].path);
   EXPECT_EQ(read[0].hash, records[0].hash);
   EXPECT_EQ(read[0].graphs, 7);
   EXPECT_EQ(read[0].groups, "");
-  identity.tables = {skipped_file_table({{"a", std::string(100, 'f'), "caf\xc3\xa9"}})};
-  ASSERT_EQ(skipped_file_records(identity).size(), 1u);
-  EXPECT_EQ(skipped_file_records(identity)[0].reason, "caf\u00e9");
-  EXPECT_THROW(graph_file_table({{"a", 0, 1, "", std::string(1025, 'x')}}), InputError);
+  identity.tables = {side_table<SkippedFile>({{"a", std::string(100, 'f'), "caf\xc3\xa9"}})};
+  ASSERT_EQ(side_records<SkippedFile>(identity).size(), 1u);
+  EXPECT_EQ(side_records<SkippedFile>(identity)[0].reason, "caf\u00e9");
+  EXPECT_THROW(side_table<GraphFileRecord>({{"a", 0, 1, "", std::string(1025, 'x')}}), InputError);
 }
 
 }  // namespace

@@ -61,10 +61,10 @@ class JournaledStudyFiles : public ::testing::Test {
   }
   // Puts the rows [from, to) of the results file into a journal.
   void put_into_journal(const std::string& path, std::size_t from, std::size_t to) const {
-    ResultsReader reader(results(), run_format());
-    JournalWriter journal(path, reader.identity(), run_format());
+    RunReader reader(results());
+    JournalWriter journal(path, reader.identity());
     journal.begin_session(reader.environment());
-    for (std::size_t i = from; i < to; ++i) journal.append_record(reader.read(i));
+    for (std::size_t i = from; i < to; ++i) journal.append_record(reader.record(i));
   }
   std::map<std::string, std::string> rows() const {
     std::map<std::string, std::string> rows;
@@ -79,7 +79,7 @@ TEST_F(JournaledStudyFiles, AreLockedUntilTheResultsAreWritten) {
   std::size_t locked = 0;
   Onlooker ranks([&] {
     if (!fs::exists(journal_path(results()))) return;
-    EXPECT_TRUE(journal_status(journal_path(results()), run_format()).is_written);
+    EXPECT_TRUE(journal_status(journal_path(results())).is_written);
     ++locked;
   });
   const JournaledStudy study = begin();

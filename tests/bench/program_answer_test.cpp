@@ -1,6 +1,4 @@
 // What the answers of programs that draw mean.
-#include "ar3d/bench/external/program_answer.h"
-
 #include <fmt/format.h>
 
 #include <cmath>

@@ -21,24 +21,8 @@ namespace {
 
 constexpr std::int64_t kRows = 3;
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 void write_bytes(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
-}
-
-StudyIdentity identity() {
-  StudyIdentity identity;
-  identity.study_id = "sample";
-  identity.spec = "study = 'sample'\n";
-  identity.spec_hash = content_hash(identity.spec);
-  identity.source_hash = "unknown";
-  identity.created = "2026-01-02T03:04:05+00:00";
-  identity.planned_rows = kRows;
-  return identity;
 }
 
 struct Counts {
@@ -51,7 +35,7 @@ struct Counts {
 template <class Rows>
 Counts flip_every_bit(const std::string& path, std::size_t step,
                       const std::vector<std::string>& right, const Rows& rows) {
-  const std::string whole = bytes_of(path);
+  const std::string whole = read_file(path);
   Counts counts;
   for (std::size_t bit = 0; bit < 8 * whole.size(); bit += bit % 8 == 7 ? 8 * step - 7 : 1) {
     std::string flipped = whole;
@@ -74,10 +58,7 @@ Counts flip_every_bit(const std::string& path, std::size_t step,
 TEST(BitFlips, OfAResultsFileAreRefused) {
   const ScratchDirectory scratch;
   const std::string path = scratch.path("r.h5");
-  Results results;
-  static_cast<StudyIdentity&>(results) = identity();
-  for (std::int64_t i = 0; i < kRows; ++i) results.runs.push_back(sample_run(i));
-  write_results(results, path);
+  write_results(sample_results(kRows), path);
   std::vector<std::string> right;
   for (const RunRecord& run : read_results(path).runs) right.push_back(all_bytes(run));
   const Counts counts =
@@ -97,13 +78,13 @@ TEST(BitFlips, OfAJournalAreRefusedOrCutTheLastRow) {
   const ScratchDirectory scratch;
   const std::string path = scratch.path("r.h5.journal");
   {
-    JournalWriter journal(path, identity(), run_format());
+    JournalWriter journal(path, sample_identity());
     journal.begin_session({{"cpu", "abacus"}});
-    for (std::int64_t i = 0; i < kRows; ++i) append_run(journal, sample_run(i));
+    for (std::int64_t i = 0; i < kRows; ++i) journal.append(sample_run(i));
   }
   const auto rows = [&]() -> std::optional<std::vector<std::string>> {
     try {
-      const JournalReader reader(path, run_format());
+      const JournalReader reader(path);
       std::vector<std::string> read;
       std::string record(run_record_size(), '\0');
       for (std::size_t i = 0; i < reader.size(); ++i) {

@@ -23,13 +23,7 @@ struct ForgedReads {
 inline ForgedReads read_forged_files(int count, std::uint64_t seed) {
   const ScratchDirectory scratch;
   const std::string path = scratch.path("r.h5");
-  Results results;
-  results.study_id = "sample";
-  results.spec = "study = 'sample'\n";
-  results.spec_hash = content_hash(results.spec);
-  results.created = "2026-01-02T03:04:05+00:00";
-  for (std::int64_t i = 0; i < 3; ++i) results.runs.push_back(sample_run(i));
-  write_results(results, path);
+  write_results(sample_results(3), path);
   const std::string whole = read_file(path);
   RandomStream random(seed);
   ForgedReads reads;

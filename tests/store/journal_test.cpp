@@ -1,5 +1,4 @@
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,25 +23,12 @@
 namespace ar3d::testing {
 namespace {
 
-StudyIdentity sample_identity() {
-  StudyIdentity identity;
-  identity.study_id = "sample";
-  identity.spec = "# h\xc3\xb6her\nstudy = \"sample\"\n";
-  identity.spec_hash = std::string(32, 'a');
-  identity.source_hash = std::string(40, 'b');
-  identity.dirty = true;
-  identity.dirty_hash = std::string(64, 'd');
-  identity.created = "2026-01-02T03:04:05+00:00";
-  identity.planned_rows = 100;
-  return identity;
-}
-
 class Journal : public ::testing::Test {
  protected:
   void write_rows(std::int64_t from, std::int64_t to) const {
-    JournalWriter writer(path_, sample_identity(), run_format());
+    JournalWriter writer(path_, sample_identity());
     writer.begin_session({{"cpu", "abacus"}, {"odd", "\xff"}});
-    for (std::int64_t i = from; i < to; ++i) append_run(writer, sample_run(i));
+    for (std::int64_t i = from; i < to; ++i) writer.append(sample_run(i));
   }
   void overwrite(std::uint64_t offset, const std::string& bytes) const {
     std::fstream file(path_, std::ios::binary | std::ios::in | std::ios::out);
@@ -50,11 +36,10 @@ class Journal : public ::testing::Test {
     file << bytes;
   }
   std::string open_error() const {
-    return problem([&] { JournalWriter writer(path_, sample_identity(), run_format()); },
-                   "no error");
+    return problem([&] { JournalWriter writer(path_, sample_identity()); }, "no error");
   }
   std::string read_error() const {
-    return problem([&] { JournalReader reader(path_, run_format()); }, "no error");
+    return problem([&] { JournalReader reader(path_); }, "no error");
   }
 
   ScratchDirectory scratch_;
@@ -62,7 +47,7 @@ class Journal : public ::testing::Test {
 };
 
 void expect_rows(const std::string& path, std::int64_t count) {
-  const JournalReader reader(path, run_format());
+  const JournalReader reader(path);
   ASSERT_EQ(reader.size(), static_cast<std::size_t>(count));
   std::vector<char> record(run_record_size());
   for (std::int64_t i = 0; i < count; ++i) {
@@ -78,7 +63,7 @@ TEST_F(Journal, HoldsWhatWasAppended) {
   write_rows(0, 30);
   write_rows(30, 50);
   expect_rows(path_, 50);
-  const JournalReader reader(path_, run_format());
+  const JournalReader reader(path_);
   EXPECT_EQ(reader.identity().spec, sample_identity().spec);
   EXPECT_EQ(reader.identity().planned_rows, 100);
   ASSERT_EQ(reader.sessions().size(), 2u);
@@ -93,10 +78,9 @@ TEST_F(Journal, HoldsWhatWasAppended) {
 TEST_F(Journal, TellsTheRowsItHasWhenContinued) {
   write_rows(0, 7);
   std::vector<std::string> keys;
-  const JournalWriter writer(path_, sample_identity(), run_format(),
-                             [&](const JournalRecord& record) {
-                               keys.push_back(to_string(key_of_row(run_format(), record.payload)));
-                             });
+  const JournalWriter writer(path_, sample_identity(), [&](const JournalRecord& record) {
+    keys.push_back(to_string(key_of_row(record.payload)));
+  });
   ASSERT_EQ(keys.size(), 7u);
   EXPECT_EQ(keys[6], sample_run(6).row_key);
   EXPECT_EQ(writer.rows(), 7u);
@@ -111,11 +95,10 @@ TEST_F(Journal, CutsOffARecordThatACrashCutShort) {
   const std::string six = read_file(path_);
   for (std::size_t size = five.size(); size < six.size(); size += 7) {
     std::ofstream(path_, std::ios::binary) << six.substr(0, size);
-    const std::size_t lost_session =
-        JournalReader(path_, run_format()).sessions().size() == 1 ? 1 : 0;
-    EXPECT_EQ(JournalReader(path_, run_format()).size(), 5u) << size;
+    const std::size_t lost_session = JournalReader(path_).sessions().size() == 1 ? 1 : 0;
+    EXPECT_EQ(JournalReader(path_).size(), 5u) << size;
     {
-      JournalWriter writer(path_, sample_identity(), run_format());
+      JournalWriter writer(path_, sample_identity());
       EXPECT_LE(writer.bytes_cut(), size - five.size());
       EXPECT_EQ(writer.rows(), 5u);
       if (lost_session == 1) {
@@ -134,8 +117,8 @@ TEST_F(Journal, CutsOffGarbageAtTheEnd) {
   for (const std::string& tail : {std::string(1, '\0'), std::string(5000, '\0'),
                                   std::string(700, '\xff'), five.substr(five.size() - 400)}) {
     std::ofstream(path_, std::ios::binary) << five << tail;
-    EXPECT_EQ(journal_status(path_, run_format()).rows, 5u);
-    EXPECT_EQ(JournalWriter(path_, sample_identity(), run_format()).bytes_cut(), tail.size());
+    EXPECT_EQ(journal_status(path_).rows, 5u);
+    EXPECT_EQ(JournalWriter(path_, sample_identity()).bytes_cut(), tail.size());
     EXPECT_EQ(read_file(path_), five);
   }
 }
@@ -145,7 +128,7 @@ TEST_F(Journal, AFlippedByteInTheMiddleIsAnErrorThatNamesTheOffset) {
   const std::string whole = read_file(path_);
   std::vector<std::uint64_t> offsets;
   {
-    JournalWriter writer(path_, sample_identity(), run_format(),
+    JournalWriter writer(path_, sample_identity(),
                          [&](const JournalRecord& record) { offsets.push_back(record.offset); });
   }
   for (std::uint64_t at = kJournalStart.size(); at < offsets[11]; at += 3) {
@@ -165,18 +148,18 @@ TEST_F(Journal, AFlippedByteInTheMiddleIsAnErrorThatNamesTheOffset) {
 
 TEST_F(Journal, HasOneWriterAtATime) {
   {
-    JournalWriter writer(path_, sample_identity(), run_format());
+    JournalWriter writer(path_, sample_identity());
     EXPECT_THAT(open_error(), HasSubstr("is being written by another process"));
-    EXPECT_TRUE(journal_status(path_, run_format()).is_written);
-    JournalReader reader(path_, run_format());
+    EXPECT_TRUE(journal_status(path_).is_written);
+    JournalReader reader(path_);
   }  // a reader's end does not give up the lock before its time
-  EXPECT_FALSE(journal_status(path_, run_format()).is_written);
+  EXPECT_FALSE(journal_status(path_).is_written);
   EXPECT_EQ(open_error(), "no error");
 }
 
 // A worker process has the open file too.
 TEST_F(Journal, IsNotContinuedWhenItsWriterHasRemovedIt) {
-  auto writer = std::make_unique<JournalWriter>(path_, sample_identity(), run_format());
+  auto writer = std::make_unique<JournalWriter>(path_, sample_identity());
   std::string error;
   std::thread waiting([&] { error = open_error(); });
   std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it waits for the lock by then
@@ -189,14 +172,14 @@ TEST_F(Journal, IsNotContinuedWhenItsWriterHasRemovedIt) {
 TEST_F(Journal, IsLockedUntilTheLastWorkerIsGone) {
   pid_t child = -1;
   {
-    JournalWriter writer(path_, sample_identity(), run_format());
+    JournalWriter writer(path_, sample_identity());
     child = fork();
     if (child == 0) {
       pause();
       _exit(0);
     }
   }
-  EXPECT_TRUE(journal_status(path_, run_format()).is_written);
+  EXPECT_TRUE(journal_status(path_).is_written);
   kill(child, SIGKILL);
   EXPECT_EQ(open_error(), "no error") << "a worker that dies a moment later is waited for";
   waitpid(child, nullptr, 0);
@@ -207,10 +190,10 @@ TEST_F(Journal, RefusesAnotherStudySourceOrShard) {
   const auto error_with = [&](const std::function<void(StudyIdentity&)>& change) {
     StudyIdentity other = sample_identity();
     change(other);
-    return problem([&] { JournalWriter writer(path_, other, run_format()); }, "no error");
+    return problem([&] { JournalWriter writer(path_, other); }, "no error");
   };
-  EXPECT_THAT(error_with([](StudyIdentity& i) { i.spec_hash[0] = 'c'; }),
-              HasSubstr("its specification is a"));
+  EXPECT_THAT(error_with([](StudyIdentity& i) { i.spec_hash[0] = 'x'; }),
+              HasSubstr("its specification is "));
   EXPECT_THAT(error_with([](StudyIdentity& i) { i.source_hash[0] = 'c'; }),
               HasSubstr("its program's source is b"));
   EXPECT_THAT(error_with([](StudyIdentity& i) { i.dirty_hash[0] = 'e'; }),
@@ -240,14 +223,14 @@ TEST_F(Journal, OfAnOlderVersionIsRefusedInOneLine) {
                          " is not a journal of this version of ar3d: finish it with the program "
                          "that began it");
   }
-  RowCollection rows(run_format());
+  RowCollection rows;
   EXPECT_EQ(problem([&] { rows.add(path_); }), read_error());
   EXPECT_EQ(read_file(path_), old);
 }
 
 // Doubles as they are in memory, the largest and smallest integers, quotes and backslashes.
 TEST_F(Journal, EveryValueReadsBackBitForBit) {
-  const std::vector<Field>& fields = run_format().rows.fields;
+  const std::vector<Field>& fields = runs_spec().fields;
   constexpr std::uint64_t kBits[] = {0x0000000000000001, 0x8000000000000000, 0x7fefffffffffffff,
                                      0x3fb999999999999a, 0x7ff0000000000000, 0xfff0000000000000,
                                      0xfff8000000000000, 0x7ff0000000000001, 0x4340000000000001};
@@ -255,7 +238,7 @@ TEST_F(Journal, EveryValueReadsBackBitForBit) {
                                          0xffffffffffffffff, 0x20000000000001};
   std::vector<std::string> records;
   {
-    JournalWriter writer(path_, sample_identity(), run_format());
+    JournalWriter writer(path_, sample_identity());
     writer.begin_session({});
     for (std::size_t i = 0; i < std::size(kBits); ++i) {
       std::string record(run_record_size(), '\0');
@@ -271,7 +254,7 @@ TEST_F(Journal, EveryValueReadsBackBitForBit) {
       writer.append_record(record.data());
     }
   }
-  const JournalReader reader(path_, run_format());
+  const JournalReader reader(path_);
   ASSERT_EQ(reader.size(), records.size());
   for (std::size_t i = 0; i < records.size(); ++i) {
     std::string record(run_record_size(), '\x55');
@@ -296,7 +279,7 @@ TEST_F(Journal, RowsThatAreForgedAreRefused) {
   write_rows(0, 1);
   const auto error_of = [&](const std::string& row) {
     std::string record(run_record_size(), '\0');
-    return problem([&] { parse_row(run_format(), row, "f", record.data()); }, "no error");
+    return problem([&] { parse_record(runs_spec().fields, row, "f", record.data()); }, "no error");
   };
   EXPECT_EQ(error_of(R"({"row_key":"1","n":5,"cpu_s":3})"), "no error");
   EXPECT_EQ(error_of(R"({"n":5.5})"), "f: a record is none of its table from '.5}' on");
@@ -315,7 +298,7 @@ TEST_F(Journal, RowsThatAreForgedAreRefused) {
 TEST_F(Journal, RefusesUnwritablePlaces) {
   for (const char* path : {"/proc/s.journal", "/sys/s.journal", "/no/such/place/s.journal"}) {
     try {
-      JournalWriter writer(path, sample_identity(), run_format());
+      JournalWriter writer(path, sample_identity());
       ADD_FAILURE() << path;
     } catch (const JournalFull&) {
       ADD_FAILURE() << "nothing was written yet";
@@ -325,22 +308,16 @@ TEST_F(Journal, RefusesUnwritablePlaces) {
   }
 }
 
-// The kernel refuses to let files grow past a limit, as it refuses to on a full disk.
 TEST_F(Journal, IsWholeWhenTheDiskIsFull) {
   write_rows(0, 10);
   const std::uint64_t ten = fs::file_size(path_);
-  rlimit old_limit{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old_limit), 0);
-  const auto old_handler = signal(SIGXFSZ, SIG_IGN);
-  rlimit small_limit = old_limit;
-  small_limit.rlim_cur = ten + 1000;
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small_limit), 0);
-  EXPECT_THROW(write_rows(10, 100), JournalFull);
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &old_limit), 0);
-  signal(SIGXFSZ, old_handler);
+  {
+    const FileSizeLimit limit(ten + 1000);
+    EXPECT_THROW(write_rows(10, 100), JournalFull);
+  }
   std::uint64_t rows = 0;
   {
-    JournalWriter writer(path_, sample_identity(), run_format());
+    JournalWriter writer(path_, sample_identity());
     EXPECT_EQ(writer.bytes_cut(), 0u) << "the half record is cut off at once";
     rows = writer.rows();
   }
@@ -351,22 +328,22 @@ TEST_F(Journal, IsWholeWhenTheDiskIsFull) {
 
 TEST_F(Journal, StatusCountsRowsThatAreNotOk) {
   {
-    JournalWriter writer(path_, sample_identity(), run_format());
+    JournalWriter writer(path_, sample_identity());
     writer.begin_session({});
     for (std::int64_t i = 0; i < 2000; ++i) {
       ar3d::RunRecord run = sample_run(i);
       if (i % 10 == 0) run.status = RunStatus::timeout;
       if (i % 10 == 1) run.status = RunStatus::measured;
-      append_run(writer, run);
+      writer.append(run);
     }
     writer.end_session({{"load_after", "1.00"}});
   }
-  const JournalStatus status = journal_status(path_, run_format());
+  const JournalStatus status = journal_status(path_);
   EXPECT_EQ(status.rows, 2000u);
   EXPECT_EQ(status.not_ok, 200u);
   EXPECT_EQ(status.identity.study_id, "sample");
   EXPECT_FALSE(status.is_written);
-  EXPECT_EQ(JournalReader(path_, run_format()).sessions()[0].back().name, "load_after");
+  EXPECT_EQ(JournalReader(path_).sessions()[0].back().name, "load_after");
 }
 
 TEST(RowKey, ReadsBackAndRefusesOtherTexts) {

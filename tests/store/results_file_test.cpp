@@ -1,6 +1,4 @@
 #include <fcntl.h>
-#include <signal.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <chrono>
@@ -17,38 +15,15 @@
 #include "ar3d/store/run_storage.h"
 #include "store/forged.h"
 #include "store/sample_runs.h"
-#include "support/problem.h"
 
 namespace ar3d::testing {
 namespace {
 
-Results sample_results(std::int64_t count) {
-  Results results;
-  results.study_id = "sample";
-  results.spec = "# h\xc3\xb6her\n[study]\n";
-  results.spec_hash = content_hash(results.spec);
-  results.source_hash = "unknown";
-  results.dirty = true;
-  results.dirty_hash = std::string(64, 'd');
-  results.created = "2026-01-02T03:04:05+00:00";
-  results.shard = {2, 3};
-  results.planned_rows = 7;
-  results.environment = {{"cpu", "abacus"}, {"flags", "-O3 -DNDEBUG", 1}};
-  for (std::int64_t i = 0; i < count; ++i) results.runs.push_back(sample_run(i));
-  return results;
-}
-
 class ResultsFile : public ::testing::Test {
  protected:
-  ResultsFile() { fs::create_directories(folder_); }
-  ~ResultsFile() override { fs::remove_all(folder_); }
-  std::string in_folder(const std::string& name) const { return (folder_ / name).string(); }
-  std::size_t files_in_folder() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-  }
+  std::string in_folder(const std::string& name) const { return folder_.path(name); }
 
-  fs::path folder_ = fs::path(::testing::TempDir()) / ("ar3d_results_" + std::to_string(getpid()));
+  ScratchDirectory folder_;
 };
 
 std::string read_error(const std::string& path) {
@@ -85,7 +60,7 @@ TEST_F(ResultsFile, ReadsBackWhatWasWritten) {
       }
     }
   }
-  EXPECT_EQ(files_in_folder(), 1u) << "no partial file may stay";
+  EXPECT_EQ(folder_.entries(), 1u) << "no partial file may stay";
 }
 
 TEST_F(ResultsFile, KeepsMissingValuesMissing) {
@@ -103,14 +78,10 @@ TEST_F(ResultsFile, KeepsMissingValuesMissing) {
 }
 
 TEST_F(ResultsFile, EqualResultsGiveEqualBytes) {
-  const auto bytes = [](const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(in), {});
-  };
   write_results(sample_results(700), in_folder("a.h5"));
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // time stamps count seconds
   write_results(sample_results(700), in_folder("b.h5"));
-  EXPECT_EQ(bytes(in_folder("a.h5")), bytes(in_folder("b.h5")));
+  EXPECT_EQ(read_file(in_folder("a.h5")), read_file(in_folder("b.h5")));
 }
 
 TEST_F(ResultsFile, CutsMessagesAndRefusesLongNames) {
@@ -130,7 +101,7 @@ TEST_F(ResultsFile, CutsMessagesAndRefusesLongNames) {
 
 TEST_F(ResultsFile, RefusesWhatIsNoResultsFile) {
   EXPECT_THAT(read_error(in_folder("missing.h5")), HasSubstr("No such file or directory"));
-  EXPECT_THAT(read_error(folder_.string()), HasSubstr("Is a directory"));
+  EXPECT_THAT(read_error(folder_.path("")), HasSubstr("Is a directory"));
   std::ofstream(in_folder("text.h5")) << "hello";
   EXPECT_THAT(read_error(in_folder("text.h5")), HasSubstr("is not an HDF5 file"));
   std::ofstream(in_folder("empty.h5")) << "";
@@ -153,8 +124,7 @@ void change_with_h5py(const std::string& path, const std::string& change) {
 std::string error_after(const std::string& path, const std::string& change) {
   write_results(sample_results(3), path);
   change_with_h5py(path, change);
-  const Descriptor file(open(path.c_str(), O_RDWR));
-  EXPECT_EQ(append_checksum(file.get()), 0);
+  renew_checksum(path);
   return read_error(path);
 }
 
@@ -231,16 +201,9 @@ TEST_F(ResultsFile, RefusesFilesThatAnotherProgramHasChanged) {
 TEST_F(ResultsFile, NoFlippedBitIsAccepted) {
   const std::string path = in_folder("r.h5");
   write_results(sample_results(40), path);
-  std::ifstream in(path, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(in), {});
-  const std::size_t bits = 8 * bytes.size();
-  for (std::size_t bit = 0; bit < bits; bit += bits / 300) {
-    std::string flipped = bytes;
-    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
-    std::ofstream(path, std::ios::binary) << flipped;
-    EXPECT_NE(read_error(path), "no error") << bit;
-  }
-  for (std::size_t bit = bits - 8 * kChecksumSize; bit < bits; bit += 7) {
+  const std::string bytes = read_file(path);
+  const std::size_t bits = 8 * bytes.size(), ending = bits - 8 * kChecksumSize;
+  for (std::size_t bit = 0; bit < bits; bit += bit < ending ? bits / 300 : 7) {
     std::string flipped = bytes;
     flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
     std::ofstream(path, std::ios::binary) << flipped;
@@ -279,29 +242,24 @@ TEST_F(ResultsFile, RefusesUnwritablePlaces) {
   const Results results = sample_results(1);
   EXPECT_THAT(write_error(results, in_folder("no/such/r.h5")),
               HasSubstr("No such file or directory"));
-  EXPECT_THAT(write_error(results, folder_.string()), HasSubstr("Is a directory"));
+  EXPECT_THAT(write_error(results, folder_.path("")), HasSubstr("Is a directory"));
   EXPECT_THAT(write_error(results, "/dev/null"), HasSubstr("it is not a regular file"));
   EXPECT_THAT(write_error(results, "/proc/r.h5"), HasSubstr("cannot write /proc/r.h5: "));
   EXPECT_THROW(require_writable("/proc/r.h5"), InputError);
   EXPECT_NO_THROW(require_writable(in_folder("r.h5")));
-  EXPECT_EQ(files_in_folder(), 0u);
+  EXPECT_EQ(folder_.entries(), 0u);
 }
 
-// The kernel refuses to let files grow past a limit, as it refuses to on a full disk.
 TEST_F(ResultsFile, LeavesTheOldFileWhenTheDiskIsFull) {
   write_results(sample_results(1), in_folder("r.h5"));
-  rlimit old_limit{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old_limit), 0);
-  const auto old_handler = signal(SIGXFSZ, SIG_IGN);
-  rlimit small_limit = old_limit;
-  small_limit.rlim_cur = 10000;
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small_limit), 0);
-  const std::string error = write_error(sample_results(5000), in_folder("r.h5"));
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &old_limit), 0);
-  signal(SIGXFSZ, old_handler);
+  std::string error;
+  {
+    const FileSizeLimit limit(10000);
+    error = write_error(sample_results(5000), in_folder("r.h5"));
+  }
   EXPECT_THAT(error, HasSubstr("r.h5: File too large"));
   EXPECT_EQ(read_results(in_folder("r.h5")).runs.size(), 1u);
-  EXPECT_EQ(files_in_folder(), 1u);
+  EXPECT_EQ(folder_.entries(), 1u);
 }
 
 TEST_F(ResultsFile, FollowsASymbolicLink) {

@@ -11,13 +11,8 @@ namespace ar3d::testing {
 namespace {
 
 // Rows whose keys do not grow along the file, as those of a study do not.
-Results sample_results(std::int64_t first, std::int64_t count) {
-  Results results;
-  results.study_id = "sample";
-  results.spec = "study = \"sample\"\n";
-  results.spec_hash = content_hash(results.spec);
-  results.source_hash = "made up";
-  results.created = "2024-01-01T00:00:00+00:00";
+Results rows_from(std::int64_t first, std::int64_t count) {
+  Results results = sample_results(0);
   results.environment = {{"started", "2024-01-01T00:00:00+00:00", 0}};
   for (std::int64_t i = first; i < first + count; ++i) {
     results.runs.push_back(sample_run(i * 7919 % 10007));
@@ -34,16 +29,16 @@ std::vector<std::string> visited_keys(const RowCollection& rows) {
 
 TEST(RowCollection, IsVisitedInTheOrderOfItsFiles) {
   const ScratchDirectory scratch;
-  const Results a = sample_results(0, 1500);
-  const Results b = sample_results(1000, 1500);  // 500 rows are in both
+  const Results a = rows_from(0, 1500);
+  const Results b = rows_from(1000, 1500);  // 500 rows are in both
   write_results(a, scratch.path("a.h5"));
   write_results(b, scratch.path("b.h5"));
-  RowCollection rows(run_format());
+  RowCollection rows;
   rows.add(scratch.path("a.h5"));
   rows.add(scratch.path("b.h5"));
   rows.close();
   std::vector<std::string> expected;
-  for (const RunRecord& run : sample_results(0, 2500).runs) expected.push_back(run.row_key);
+  for (const RunRecord& run : rows_from(0, 2500).runs) expected.push_back(run.row_key);
   EXPECT_EQ(visited_keys(rows), expected);
   for (std::size_t place = 1; place < rows.size(); ++place) {
     EXPECT_LT(rows.key(place - 1), rows.key(place));
@@ -52,11 +47,11 @@ TEST(RowCollection, IsVisitedInTheOrderOfItsFiles) {
 
 TEST(RowCollection, RefusesARowThatIsThereTwiceAndNotTheSame) {
   const ScratchDirectory scratch;
-  write_results(sample_results(0, 1500), scratch.path("a.h5"));
-  Results b = sample_results(0, 1500);
+  write_results(rows_from(0, 1500), scratch.path("a.h5"));
+  Results b = rows_from(0, 1500);
   b.runs[1234].violations = 1;
   write_results(b, scratch.path("b.h5"));
-  RowCollection rows(run_format());
+  RowCollection rows;
   rows.add(scratch.path("a.h5"));
   rows.add(scratch.path("b.h5"));
   EXPECT_THROW(rows.close(), InputError);

@@ -59,7 +59,7 @@ class KilledStudy {
       EXPECT_TRUE(kept_.empty() || fs::exists(results_)) << "the journal is gone before its time";
       return;
     }
-    const JournalReader reader(journal_, run_format());
+    const JournalReader reader(journal_);
     std::map<std::string, std::string> rows;
     std::string record(run_record_size(), '\0');
     for (std::size_t i = 0; i < reader.size(); ++i) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ar3d/store/columns/row_format.h"
+#include "ar3d/store/columns/row_key.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/run_storage.h"
 
@@ -78,11 +78,11 @@ void write_large_results(const LargeResults& like, const std::string& path) {
   for (const std::string_view algorithm : kAlgorithms) {
     records.push_back({std::string(algorithm), "", theorem, {}});
   }
-  identity.tables = {algorithm_table(records)};
+  identity.tables = {side_table<AlgorithmRecord>(records)};
   const auto read = [&](std::size_t row, char* record) {
     store_record(large_run(like, row), record);
   };
-  write_results(identity, {{"started", "made up", 0}}, run_format(), {like.rows, read}, path);
+  write_results(identity, {{"started", "made up", 0}}, like.rows, read, path);
 }
 
 }  // namespace ar3d::testing

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <initializer_list>
 #include <string>
 
@@ -19,10 +20,13 @@ inline std::uint64_t size_of(const benchmark::State& state) {
 
 /// Registers NAME/n:SIZE for each size, with so many iterations a repetition that a million
 /// vertices are treated, but at most ten. What the kernel throws becomes the error of its run.
-/// @param adjust  receives each benchmark, to choose its clock or threads.
-template <class Kernel, class Adjust>
-void add_limit(const std::string& name, std::initializer_list<std::int64_t> sizes, Kernel kernel,
-               Adjust adjust, const char* argument = "n") {
+/// The time is CPU time of the calling thread.
+/// @param adjust  receives each benchmark, to choose another clock or threads.
+template <class Kernel>
+void add_limit(
+    const std::string& name, std::initializer_list<std::int64_t> sizes, Kernel kernel,
+    const std::function<void(benchmark::internal::Benchmark*)>& adjust = [](auto*) {},
+    const char* argument = "n") {
   const auto careful = [kernel](benchmark::State& state) mutable {
     try {
       kernel(state);
@@ -37,12 +41,6 @@ void add_limit(const std::string& name, std::initializer_list<std::int64_t> size
                ->Arg(size)
                ->Iterations(std::clamp<std::int64_t>(1'000'000 / size, 1, 10)));
   }
-}
-
-/// Registers as above. The time is CPU time of the calling thread.
-template <class Kernel>
-void add_limit(const std::string& name, std::initializer_list<std::int64_t> sizes, Kernel kernel) {
-  add_limit(name, sizes, kernel, [](benchmark::internal::Benchmark*) {});
 }
 
 /// Returns the algorithm's default drawing of graph_of(random_family(algorithm), n). Those of at
