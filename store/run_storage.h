@@ -21,7 +21,8 @@ struct RowView {
   const std::vector<EnvironmentEntry>* environment = nullptr;
   std::size_t count = 0;
   std::int64_t planned = -1;  ///< rows that the study is complete with; -1: unknown
-  /// Row 0 … count - 1, valid until the next call; cheap in increasing order. @throws InputError
+  /// Returns row 0 … count - 1, valid until the next call; cheap in increasing order. @throws
+  /// InputError
   std::function<const RunRecord&(std::size_t row)> read;
   std::string file = "RESULTS.h5";  ///< what printed commands call the results file
 };

@@ -14,18 +14,17 @@ std::string StudyIdentity::source() const {
   return source_hash + " with changes" + (dirty_hash.empty() ? "" : " " + dirty_hash);
 }
 
-bool is_shard(const Shard& shard) {
-  constexpr std::uint32_t kMostShards = 1'000'000;
-  return shard.index >= 1 && shard.index <= shard.count && shard.count <= kMostShards;
-}
-
 std::optional<Shard> parse_shard(std::string_view text) {
+  constexpr std::uint32_t kMostShards = 1'000'000;
   Shard shard;
   const char* end = text.data() + text.size();
   const auto index = std::from_chars(text.data(), end, shard.index);
   const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
   const auto count = std::from_chars(slash ? index.ptr + 1 : end, end, shard.count);
-  if (!slash || count.ec != std::errc() || count.ptr != end || !is_shard(shard)) return {};
+  const bool is_read = slash && count.ec == std::errc() && count.ptr == end;
+  if (!is_read || shard.index < 1 || shard.index > shard.count || shard.count > kMostShards) {
+    return {};
+  }
   return shard;
 }
 

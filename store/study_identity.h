@@ -16,7 +16,8 @@ struct EnvironmentEntry {
   std::int64_t session = 0;  ///< a session is one process that made rows of the study
 };
 
-/// Entries in words: why there were no more rounds of the timing phase, and the yardsticks' share.
+/// Names entries in words: why there were no more rounds of the timing phase, and the yardsticks'
+/// share.
 inline constexpr const char* kTimingRounds = "timing_rounds";
 inline constexpr const char* kTimingYardsticks = "timing_yardsticks";
 
@@ -27,10 +28,7 @@ struct Shard {
   bool operator==(const Shard&) const = default;
 };
 
-/// 1 <= index <= count <= 1,000,000.
-bool is_shard(const Shard& shard);
-
-/// Returns "2/8": the second of eight; nothing if the text is no shard.
+/// Reads "2/8", the second of eight; nothing unless 1 <= index <= count <= 1,000,000.
 std::optional<Shard> parse_shard(std::string_view text);
 
 /// Holds what makes rows belong together.

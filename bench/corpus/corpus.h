@@ -24,9 +24,10 @@ class Spool {
 
   /// @return where the graph stands. @throws InputError if the disk is full.
   std::uint64_t append(const Graph& graph);
-  /// Call it behind the last append(). @throws as append().
+  /// Writes what waits; to be called behind the last append(). @throws as append().
   void flush();
-  /// The graph that stands there; called by any number of threads and forked processes at once.
+  /// Returns the graph that stands there; called by any number of threads and forked processes at
+  /// once.
   /// @throws InputError if it cannot be read.
   Graph read(std::uint64_t offset) const;
 
@@ -95,9 +96,9 @@ class Corpus {
   Corpus(const std::string& path, const CorpusOptions& options)
       : Corpus(std::vector<CorpusFile>{{path, "", ""}}, options) {}
 
-  /// Of one file: XXH3-128 of its graphs in order (each one's n and edges), as 32 hexadecimal
-  /// digits: the same in every format, packed or not, and whatever options take of them. Of a
-  /// collection: of names, groups and hashes of its files.
+  /// Returns, of one file, XXH3-128 of its graphs in order (each one's n and edges), as 32
+  /// hexadecimal digits: the same in every format, packed or not, and whatever options take of
+  /// them. Of a collection: of names, groups and hashes of its files.
   const std::string& hash() const { return hash_; }
   std::uint64_t graphs_in_file() const { return graphs_in_file_; }
   /// Returns files left out because of CorpusOptions::skip; their collection has no name yet.
@@ -109,7 +110,8 @@ class Corpus {
 
   /// Returns the identity of the graph at that place. O(log files).
   GraphIdentity identity(std::uint32_t place) const;
-  /// The name of its file, "#3" behind it if that holds several; of 96 bytes at most, the last.
+  /// Returns the name of its file, "#3" behind it if that holds several; of 96 bytes at most, the
+  /// last.
   std::string graph_name(std::uint32_t place) const;
   const std::string& group(std::uint32_t place) const { return files_[file_of(place)].group; }
   /// Returns how many of the graphs taken have a vertex of larger degree.
@@ -167,7 +169,7 @@ struct NamedCorpus {
 std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
                                                 std::shared_ptr<const Corpus> graphs);
 
-/// The corpora that a study has opened: each is read once, however often it is asked for.
+/// Holds the corpora that a study has opened: each is read once, however often it is asked for.
 class CorpusShelf {
  public:
   /// @throws InputError as Corpus.

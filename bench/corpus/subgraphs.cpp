@@ -23,7 +23,8 @@ Graph renamed(const Graph& graph, const std::vector<Vertex>& new_name, Vertex n)
   return Graph(n, std::move(edges));
 }
 
-/// The queue of a search, which keeps what has left it and ends the search once it has found enough.
+/// The queue of a search, which keeps what has left it and ends the search once it has found
+/// enough.
 struct FirstFound {
   std::vector<Vertex> list;
   std::size_t most;

@@ -13,7 +13,8 @@ namespace ar3d {
 
 /// Is a program that draws graphs: a row of the catalogue whose drawings another process makes.
 struct ExternalAlgorithm {
-  /// Name, options and guarantee; without a guarantee no degree is refused and no verdict given.
+  /// Holds name, options and guarantee; without a guarantee no degree is refused and no verdict
+  /// given.
   Algorithm row;
   bool has_guarantee = false;
   std::vector<std::string> command;  ///< words; "{option}" stands for an option's value

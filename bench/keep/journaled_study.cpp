@@ -233,8 +233,7 @@ class StudyPart {
     make_shared(shared, *before);
     before.reset();
     if (!ranks_.is_first()) {
-      BatchDrawer batches(plan_, ranks_.rank(), is_interrupted);
-      ranks_.help([&](const std::string& job) { return batches.make_ready(job); });
+      ranks_.help(batch_parts(plan_, ranks_.rank(), is_interrupted));
     }
     together(ranks_, [&] {
       if (ranks_.size() == 1 || !ranks_.is_first()) return;

@@ -61,8 +61,8 @@ class StudyFolder {
   Descriptor folder_;
 };
 
-/// After the results file is safe on the disk. @throws InputError naming one that cannot be
-/// removed.
+/// Removes them; to be called once the results file is safe on the disk. @throws InputError naming
+/// one that cannot be removed.
 void remove_journals(const std::string& results);
 
 }  // namespace ar3d

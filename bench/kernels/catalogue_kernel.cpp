@@ -4,8 +4,9 @@
 //   certify/ALGORITHM/FAMILY/N  the proof of that drawing in exact integers
 //   generate/FAMILY/N           edges and finished Graph
 //   parse/FORMAT/FAMILY/N       from the text in memory to the finished Graph
-// Default options and parameters; vertices in random order where a graph is given. Items are vertices; bytes are those of the text (parse) or of the
-// graph in memory (the others). Growth with n is what a study measures, with its uncertainty.
+// Default options and parameters; vertices in random order where a graph is given. Items are
+// vertices; bytes are those of the text (parse) or of the graph in memory (the others). Growth with
+// n is what a study measures, with its uncertainty.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

@@ -15,7 +15,7 @@ std::vector<int> allowed_cores();
 /// Keeps the calling thread on one core for its lifetime. @throws InputError if the system refuses.
 class Pinning {
  public:
-  /// core < 0: no pinning.
+  /// Pins to that core; core < 0: no pinning.
   explicit Pinning(int core);
   ~Pinning();
   Pinning(const Pinning&) = delete;

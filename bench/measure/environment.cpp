@@ -11,7 +11,6 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/version.hpp>
 #include <fstream>
 #include <iterator>
@@ -94,21 +93,21 @@ std::string turbo() {
 // Variables that steer OpenMP, the allocator and the linker, and where a batch system has put us;
 // nothing else of the environment is recorded.
 void add_variables(std::vector<EnvironmentEntry>& entries) {
-  constexpr std::array<std::string_view, 12> kPrefixes = {"OMP_",
-                                                          "GOMP_",
-                                                          "KMP_",
-                                                          "MALLOC_",
-                                                          "GLIBC_",
-                                                          "LD_PRELOAD=",
-                                                          "SLURM_JOB_ID=",
-                                                          "SLURM_NTASKS=",
-                                                          "SLURM_CPUS_PER_TASK=",
-                                                          "SLURM_ARRAY_TASK_ID=",
-                                                          "OMPI_COMM_WORLD_SIZE=",
-                                                          "OMPI_COMM_WORLD_RANK="};
+  constexpr std::string_view kPrefixes[] = {"OMP_",
+                                            "GOMP_",
+                                            "KMP_",
+                                            "MALLOC_",
+                                            "GLIBC_",
+                                            "LD_PRELOAD=",
+                                            "SLURM_JOB_ID=",
+                                            "SLURM_NTASKS=",
+                                            "SLURM_CPUS_PER_TASK=",
+                                            "SLURM_ARRAY_TASK_ID=",
+                                            "OMPI_COMM_WORLD_SIZE=",
+                                            "OMPI_COMM_WORLD_RANK="};
   for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
     const std::string_view text(*variable);
-    const bool listed = std::any_of(kPrefixes.begin(), kPrefixes.end(),
+    const bool listed = std::any_of(std::begin(kPrefixes), std::end(kPrefixes),
                                     [&](std::string_view p) { return text.starts_with(p); });
     const std::size_t equals = text.find('=');
     if (!listed || equals == std::string_view::npos) continue;

@@ -11,9 +11,9 @@ namespace ar3d {
 /// Says what another of these signals does once one has asked to stop.
 enum class SecondSignal { ends_program, is_ignored };
 
-/// While an object of this class lives, SIGINT, SIGTERM and, unless nohup has it ignored, SIGHUP ask
-/// the program to stop instead of ending it. One at a time; afterwards the signals do what they did
-/// before.
+/// While an object of this class lives, SIGINT, SIGTERM and, unless nohup has it ignored, SIGHUP
+/// ask the program to stop instead of ending it. One at a time; afterwards the signals do what they
+/// did before.
 class Interruptible {
  public:
   explicit Interruptible(SecondSignal second = SecondSignal::ends_program);

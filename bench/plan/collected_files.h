@@ -10,15 +10,17 @@ namespace ar3d {
 
 bool is_pattern(const std::string& file);
 [[noreturn]] void refuse_empty(const GraphsEntry& entry);
-/// What matches, by name; the file itself where it exists under that very name, or is no pattern.
+/// Returns what matches, by name; the file itself where it exists under that very name, or is no
+/// pattern.
 std::vector<std::string> matches(const std::string& path);
-/// These without folders. @throws InputError if there are none.
+/// Returns these without folders. @throws InputError if there are none.
 std::vector<std::string> matching_files(const std::string& path, const GraphsEntry& entry);
-/// The files of a collection, by name: what matches, and everything in folders that match.
+/// Returns the files of a collection, by name: what matches, and everything in folders that match.
 /// @throws InputError naming what cannot be read.
 std::vector<std::string> collected_paths(const std::string& path);
-/// The files of a collection with their names behind its folder, and their groups: sub-folders, or
-/// as the table says. @throws InputError as above, and naming a line of the table that is none.
+/// Returns the files of a collection with their names behind its folder, and their groups:
+/// sub-folders, or as the table says. @throws InputError as above, and naming a line of the table
+/// that is none.
 std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry);
 
 }  // namespace ar3d

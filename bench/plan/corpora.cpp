@@ -250,21 +250,19 @@ std::vector<std::string> graph_files_of(const StudySpec& spec) {
     files.insert(files.end(), found.begin(), found.end());
     if (!groups.empty()) files.push_back(groups);
   };
-  std::vector<const GraphsEntry*> entries;
+  std::vector<bool> collections;
   for (const Sweep& sweep : spec.sweeps) {
-    for (const GraphsEntry& entry : sweep.graphs) entries.push_back(&entry);
-  }
-  if (!spec.graph_files) {
-    for (const GraphsEntry* entry : entries) {
-      add(absolute_path(spec.folder, entry->file),
-          entry->groups.empty() ? "" : absolute_path(spec.folder, entry->groups),
-          entry->is_collection);
+    for (const GraphsEntry& entry : sweep.graphs) {
+      collections.push_back(entry.is_collection);
+      if (spec.graph_files) continue;
+      add(absolute_path(spec.folder, entry.file),
+          entry.groups.empty() ? "" : absolute_path(spec.folder, entry.groups),
+          entry.is_collection);
     }
-    return files;
   }
-  for (const GraphFileRecord& record : *spec.graph_files) {
+  for (const GraphFileRecord& record : spec.graph_files.value_or(std::vector<GraphFileRecord>())) {
     const auto number = static_cast<std::size_t>(record.entry);
-    add(record.path, record.groups, number < entries.size() && entries[number]->is_collection);
+    add(record.path, record.groups, number < collections.size() && collections[number]);
   }
   return files;
 }

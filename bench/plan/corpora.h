@@ -29,7 +29,8 @@ struct StudyCorpus {
 /// graphs; naming the file: one that has changed since the study began.
 std::vector<StudyCorpus> corpora_of(const StudySpec& spec, const std::string& only = "");
 
-/// The files whose graphs are instances, not opened; none of a pattern that matches nothing now.
+/// Returns the files whose graphs are instances, not opened; none of a pattern that matches nothing
+/// now.
 std::vector<std::string> graph_files_of(const StudySpec& spec);
 
 /// Returns the graph of a choice with a corpus: that of the place `index`, its labels permuted by

@@ -57,11 +57,11 @@ Graph graph_of(const PlannedInstance& instance);
 /// the instance and the runs say of themselves.
 void set_seed_and_keys(std::uint64_t study_seed, PlannedInstance& instance);
 
-/// Runs that a study is not complete without.
+/// Returns the number of runs that a study is not complete without.
 std::size_t required_runs(const PlannedInstance& instance);
 
-/// Instances that differ in their index only, and hence in seed and keys. Those of a corpus are
-/// graphs of the same n that follow each other in its order.
+/// Describes instances that differ in their index only, and hence in seed and keys. Those of a
+/// corpus are graphs of the same n that follow each other in its order.
 struct PlannedBlock {
   PlannedInstance first;  ///< its runs have keys only if is_explicit
   std::size_t step = 1;   ///< between the indices of two neighbours, or their places in the corpus
@@ -80,7 +80,7 @@ class PlannedInstances {
 
   std::size_t size() const { return size_; }
   std::size_t rows() const { return rows_; }
-  /// Made afresh by every call: about 1 us per row. @pre place < size().
+  /// Makes an instance afresh by every call: about 1 us per row. @pre place < size().
   PlannedInstance operator[](std::size_t place) const;
   const std::vector<PlannedBlock>& blocks() const { return blocks_; }
   const PlannedBlock& block_of_place(std::size_t place) const;
@@ -88,9 +88,9 @@ class PlannedInstances {
 
   /// Appends a block; its places and rows are numbered here.
   void append(PlannedBlock block);
-  /// Of these instances, place `first` and every n-th after it. @pre first < n.
+  /// Returns, of these instances, place `first` and every n-th after it. @pre first < n.
   PlannedInstances every_nth(std::size_t first, std::size_t n) const;
-  /// One instance, as it stands but for the numbers of its rows.
+  /// Appends one instance, as it stands but for the numbers of its rows.
   void push_back(PlannedInstance instance);
 
   auto begin() const { return iterator(0); }
@@ -119,7 +119,8 @@ struct StudyPlan {
   PlannedInstances instances;
   TimingRules timing;  ///< of the specification
   Budget budget;       ///< of the specification
-  /// By algorithm the families that it leaves out, because their degrees pass its largest one.
+  /// Holds by algorithm the families that it leaves out, because their degrees pass its largest
+  /// one.
   std::map<const Algorithm*, std::set<std::string>> left_out;
   std::size_t rows() const { return instances.rows(); }
 };

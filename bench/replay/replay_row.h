@@ -29,7 +29,8 @@ struct StudyOrigin {
       std::make_shared<std::map<std::string, std::vector<FamilyChoice>>>();
 };
 
-/// The origin of a study's rows, from its specification; nothing if that cannot be read any more.
+/// Returns the origin of a study's rows, from its specification; nothing if that cannot be read any
+/// more.
 StudyOrigin study_origin(const StudyIdentity& identity);
 
 /// Returns the plan of one recorded row: its instance with this single run.

@@ -113,6 +113,110 @@ double drawn_in_threads(BatchRows& rows, int threads) {
   return std::chrono::duration<double>(last_end - first_start).count();
 }
 
+// A batch as it came out: its rows without verdict, in the order asked for.
+struct MadeBatch {
+  double wall_s = 0;
+  std::vector<RunRecord> rows;
+};
+
+// Draws batches of equal drawings, shared by threads of this process or by ranks.
+class BatchDrawer {
+ public:
+  BatchDrawer(const StudyPlan& plan, int rank, std::function<bool()> stop)
+      : plan_(plan),
+        rank_(rank),
+        stop_(std::move(stop)),
+        maker_({.concurrency = 1, .core = -1, .memory = MemoryScope::process}) {}
+
+  // The maker of the rows of the instance at that place of the plan, whose graph is there.
+  RowMaker& maker_for(std::size_t place) {
+    if (place_ != place) {
+      instance_ = plan_.instances[place];
+      maker_.prepare(instance_);
+      place_ = place;
+    }
+    return maker_;
+  }
+
+  // Threads take the rows one by one, each thread on a core of its own if there are so many.
+  // `rows` are places in the instance's runs; of one algorithm with the same options.
+  // @throws InputError if the system starts fewer threads.
+  MadeBatch shared_by_threads(int threads, std::size_t place,
+                              const std::vector<std::size_t>& rows) {
+    RowMaker& maker = maker_for(place);
+    const PlannedRun& first = instance_.runs[rows.front()];
+    BatchRows batch(*maker.graph(), first.choice, plan_.timing.warm_up,
+                    std::vector<RunRecord>(rows.size(), maker.begun(first)), stop_);
+    const double wall_s = drawn_in_threads(batch, threads);
+    return {wall_s, batch.take()};
+  }
+
+  // Of r ranks, rank i draws the i-th row and every r-th after it; ranks stay where mpirun has put
+  // them. Nothing is sent while they draw. Called on rank 0, whose clock wall_s is taken from
+  // (DoneAtOnce). @throws InternalError what went wrong on a rank.
+  MadeBatch shared_by_ranks(Ranks& ranks, int count, std::size_t place,
+                            const std::vector<std::size_t>& rows) {
+    const std::string job = fmt::format("{} {} {}", count, place, fmt::join(rows, " "));
+    const DoneAtOnce done =
+        ranks.at_once(count, job, [&](const std::string& text) { return make_ready(text); });
+    MadeBatch made{done.wall_s, std::vector<RunRecord>(rows.size())};
+    for (int rank = 0; rank < count; ++rank) {
+      const std::string& text = done.told[static_cast<std::size_t>(rank)];
+      const std::vector<std::size_t> places = places_of_rank(rank, count, rows.size());
+      expect(text.size() == places.size() * run_record_size(), "a rank tells its rows");
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        made.rows[places[i]] = load_record(text.data() + i * run_record_size());
+      }
+    }
+    return made;
+  }
+
+  // Makes this rank's part of a batch.
+  Work make_ready(const std::string& job) {
+    std::istringstream words(job);
+    int count = 1;
+    std::size_t place = 0;
+    words >> count >> place;
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; words >> row;) rows.push_back(row);
+    const RowMaker& maker = maker_for(place);
+    if (maker.graph() == nullptr) {
+      throw InternalError(
+          fmt::format("internal error: rank {} cannot generate rank 0's graph", rank_));
+    }
+    std::vector<RunRecord> begun;
+    for (const std::size_t i : places_of_rank(rank_, count, rows.size())) {
+      begun.push_back(maker.begun(instance_.runs[rows[i]]));
+    }
+    const auto batch =
+        std::make_shared<BatchRows>(*maker.graph(), instance_.runs[rows.front()].choice,
+                                    plan_.timing.warm_up, std::move(begun), stop_);
+    batch->warm_up();
+    const auto counters = std::make_shared<HardwareCounters>();
+    const auto tell = [batch] {
+      const std::vector<RunRecord> drawn = batch->take();
+      std::string text(drawn.size() * run_record_size(), '\0');
+      for (std::size_t i = 0; i < drawn.size(); ++i) {
+        store_record(drawn[i], text.data() + i * run_record_size());
+      }
+      return text;
+    };
+    return {[batch, counters] {
+              while (batch->draw_next(-1, *counters)) {
+              }
+            },
+            tell};
+  }
+
+ private:
+  const StudyPlan& plan_;
+  const int rank_;
+  const std::function<bool()> stop_;
+  std::optional<std::size_t> place_;
+  PlannedInstance instance_;  // at place_
+  RowMaker maker_;            // prepared for it
+};
+
 // The rows of one drawing in one phase: batch -> threads or ranks -> places of runs.
 struct BatchedDrawing {
   RunPhase phase = RunPhase::strong;
@@ -218,82 +322,9 @@ class InstanceBatches {
 
 }  // namespace
 
-BatchDrawer::BatchDrawer(const StudyPlan& plan, int rank, std::function<bool()> stop)
-    : plan_(plan),
-      rank_(rank),
-      stop_(std::move(stop)),
-      maker_({.concurrency = 1, .core = -1, .memory = MemoryScope::process}) {}
-
-RowMaker& BatchDrawer::maker_for(std::size_t place) {
-  if (place_ != place) {
-    instance_ = plan_.instances[place];
-    maker_.prepare(instance_);
-    place_ = place;
-  }
-  return maker_;
-}
-
-MadeBatch BatchDrawer::shared_by_threads(int threads, std::size_t place,
-                                         const std::vector<std::size_t>& rows) {
-  RowMaker& maker = maker_for(place);
-  const PlannedRun& first = instance_.runs[rows.front()];
-  BatchRows batch(*maker.graph(), first.choice, plan_.timing.warm_up,
-                  std::vector<RunRecord>(rows.size(), maker.begun(first)), stop_);
-  const double wall_s = drawn_in_threads(batch, threads);
-  return {wall_s, batch.take()};
-}
-
-MadeBatch BatchDrawer::shared_by_ranks(Ranks& ranks, int count, std::size_t place,
-                                       const std::vector<std::size_t>& rows) {
-  const std::string job = fmt::format("{} {} {}", count, place, fmt::join(rows, " "));
-  const DoneAtOnce done =
-      ranks.at_once(count, job, [&](const std::string& text) { return make_ready(text); });
-  MadeBatch made{done.wall_s, std::vector<RunRecord>(rows.size())};
-  for (int rank = 0; rank < count; ++rank) {
-    const std::string& text = done.told[static_cast<std::size_t>(rank)];
-    const std::vector<std::size_t> places = places_of_rank(rank, count, rows.size());
-    expect(text.size() == places.size() * run_record_size(), "a rank tells its rows");
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      made.rows[places[i]] = load_record(text.data() + i * run_record_size());
-    }
-  }
-  return made;
-}
-
-Work BatchDrawer::make_ready(const std::string& job) {
-  std::istringstream words(job);
-  int count = 1;
-  std::size_t place = 0;
-  words >> count >> place;
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; words >> row;) rows.push_back(row);
-  const RowMaker& maker = maker_for(place);
-  if (maker.graph() == nullptr) {
-    throw InternalError(
-        fmt::format("internal error: rank {} cannot generate rank 0's graph", rank_));
-  }
-  std::vector<RunRecord> begun;
-  for (const std::size_t i : places_of_rank(rank_, count, rows.size())) {
-    begun.push_back(maker.begun(instance_.runs[rows[i]]));
-  }
-  const auto batch =
-      std::make_shared<BatchRows>(*maker.graph(), instance_.runs[rows.front()].choice,
-                                  plan_.timing.warm_up, std::move(begun), stop_);
-  batch->warm_up();
-  const auto counters = std::make_shared<HardwareCounters>();
-  const auto tell = [batch] {
-    const std::vector<RunRecord> drawn = batch->take();
-    std::string text(drawn.size() * run_record_size(), '\0');
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-      store_record(drawn[i], text.data() + i * run_record_size());
-    }
-    return text;
-  };
-  return {[batch, counters] {
-            while (batch->draw_next(-1, *counters)) {
-            }
-          },
-          tell};
+MakeReady batch_parts(const StudyPlan& plan, int rank, const std::function<bool()>& stop) {
+  const auto drawer = std::make_shared<BatchDrawer>(plan, rank, stop);
+  return [drawer](const std::string& job) { return drawer->make_ready(job); };
 }
 
 void run_batches(StudySession& session) {

@@ -11,12 +11,13 @@ namespace ar3d {
 /// Returns "2026-01-02T03:04:05.678901+00:00".
 std::string now_with_zone();
 
-/// Everything about a study's results but its rows: name, specification, source, environment, time.
+/// Returns everything about a study's results but its rows: name, specification, source,
+/// environment, time.
 /// @param workers  of the process, for the environment. @throws InputError as corpora_of, and if
 /// the executable of a program cannot be read.
 Results describe_study(const StudySpec& spec, int workers);
 
-/// Rows of one study are of one program each. @param before  of earlier sessions.
+/// Requires that rows of one study are of one program each. @param before  of earlier sessions.
 /// @param results  for messages. @throws InputError naming a program whose hash is another one now.
 void refuse_changed_programs(const StudySpec& spec, const std::vector<EnvironmentEntry>& before,
                              const std::string& results);

@@ -48,7 +48,7 @@ class Ranks {
     (void)why;
     return mine;
   }
-  /// No rank returns before all have come.
+  /// Waits until all ranks have come.
   void barrier() {
     std::string nothing;
     agree(StepResult::done, nothing);
@@ -63,8 +63,8 @@ class Ranks {
     use({});
   }
 
-  /// On rank 0: ranks 0 .. count - 1 make a job ready, wait for each other, and do it at the same
-  /// time, by rank 0's clock; the others are in help() meanwhile.
+  /// Has, on rank 0, ranks 0 .. count - 1 make a job ready, wait for each other, and do it at the
+  /// same time, by rank 0's clock; the others are in help() meanwhile.
   /// @throws InternalError what went wrong at one of them. @pre count <= size().
   virtual DoneAtOnce at_once(int count, const std::string& job, const MakeReady& make_ready) {
     (void)count;
@@ -74,7 +74,7 @@ class Ranks {
     const double wall_s = time.wall_s();
     return {wall_s, {work.tell()}};
   }
-  /// On the others: does the jobs of rank 0 until it calls dismiss().
+  /// Does, on the others, the jobs of rank 0 until it calls dismiss().
   virtual void help(const MakeReady& make_ready) { (void)make_ready; }
   virtual void dismiss() {}
 

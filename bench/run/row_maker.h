@@ -70,7 +70,8 @@ Drawing timed_drawing(const Graph& graph, const AlgorithmChoice& choice, Hardwar
 /// Returns the row of a run without any result: what the plan knows of it.
 RunRecord planned_row(const PlannedInstance& instance, const PlannedRun& planned);
 
-/// The row of a run that is not tried, because `failed`, a row of the same drawing, went wrong.
+/// Returns the row of a run that is not tried, because `failed`, a row of the same drawing, went
+/// wrong.
 RunRecord failed_row(const PlannedInstance& instance, const PlannedRun& planned,
                      const RunRecord& failed);
 

@@ -2,6 +2,8 @@
 // tells how far the study is.
 #include "ar3d/bench/run/session.h"
 
+#include <tuple>
+
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/processes.h"
@@ -39,12 +41,6 @@ std::pair<std::size_t, double> remaining_rows(const StudyPlan& plan, const RowSi
   return {rows, work};
 }
 
-Progress progress_of(const StudyPlan& plan, const SessionPolicy& policy, const RowSink& sink) {
-  if (policy.progress == nullptr) return Progress(nullptr, policy.name, 0, 0);
-  const auto [rows, work] = remaining_rows(plan, sink);
-  return Progress(policy.progress, policy.name, rows, work);
-}
-
 // Work of a row, which the plan knows by its place.
 double work_at(const StudyPlan& plan, std::size_t place) {
   return work_of_row(plan.instances.block_of_row(place).first);
@@ -52,46 +48,64 @@ double work_at(const StudyPlan& plan, std::size_t place) {
 
 }  // namespace
 
-Progress::Progress(std::FILE* out, std::string name, std::size_t total_rows, double total_work)
-    : out_(out),
-      terminal_(out != nullptr && isatty(fileno(out)) == 1),
-      name_(std::move(name)),
-      total_rows_(total_rows),
-      total_work_(total_work) {}
-
-void Progress::row_done(double work, bool ok) {
-  ++rows_;
-  work_ += work;
-  if (!ok) ++not_ok_;
-  if (out_ == nullptr) return;
-  const Clock::time_point now = Clock::now();
-  const auto pause = terminal_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(60000);
-  if (now - last_ >= pause) print(now);
-}
-
-void Progress::print(Clock::time_point now) {
-  last_ = now;
-  const std::string text = line(std::chrono::duration<double>(now - start_).count());
-  std::fprintf(out_, terminal_ ? "\r%s\033[K" : "%s\n", text.c_str());
-  std::fflush(out_);
-}
-
-std::string Progress::line(double elapsed_s) const {
-  std::string text = fmt::format("study {}: {} of {} rows", name_, rows_, total_rows_);
-  if (not_ok_ > 0) text += fmt::format(" ({} not ok)", not_ok_);
-  text += ", " + duration(elapsed_s);
-  if (rows_ < total_rows_ && work_ > 0) {
-    text += fmt::format(", about {} left", duration(elapsed_s * (total_work_ - work_) / work_));
+// Tells people how far a study is: one line, rewritten in place on a terminal, a new line a minute
+// elsewhere. Not thread-safe.
+class StudySession::Progress {
+ public:
+  Progress(const StudyPlan& plan, const SessionPolicy& policy, const RowSink& sink)
+      : out_(policy.progress),
+        terminal_(out_ != nullptr && isatty(fileno(out_)) == 1),
+        name_(policy.name) {
+    if (out_ != nullptr) std::tie(total_rows_, total_work_) = remaining_rows(plan, sink);
   }
-  return text;
-}
 
-void Progress::finish() {
-  if (out_ == nullptr) return;
-  print(Clock::now());
-  if (terminal_) std::fputc('\n', out_);
-  out_ = nullptr;
-}
+  void row_done(double work, bool ok) {
+    ++rows_;
+    work_ += work;
+    if (!ok) ++not_ok_;
+    const Clock::time_point now = Clock::now();
+    if (now - last_ >= std::chrono::milliseconds(terminal_ ? 200 : 60000)) print(now);
+  }
+
+  // Ends the line on a terminal.
+  void finish() {
+    if (out_ == nullptr) return;
+    print(Clock::now());
+    if (terminal_) std::fputc('\n', out_);
+    out_ = nullptr;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void print(Clock::time_point now) {
+    last_ = now;
+    const std::string text = line(std::chrono::duration<double>(now - start_).count());
+    std::fprintf(out_, terminal_ ? "\r%s\033[K" : "%s\n", text.c_str());
+    std::fflush(out_);
+  }
+
+  std::string line(double elapsed_s) const {
+    std::string text = fmt::format("study {}: {} of {} rows", name_, rows_, total_rows_);
+    if (not_ok_ > 0) text += fmt::format(" ({} not ok)", not_ok_);
+    text += ", " + duration(elapsed_s);
+    if (rows_ < total_rows_ && work_ > 0) {
+      text += fmt::format(", about {} left", duration(elapsed_s * (total_work_ - work_) / work_));
+    }
+    return text;
+  }
+
+  std::FILE* out_;
+  bool terminal_;
+  std::string name_;
+  std::size_t total_rows_ = 0;
+  double total_work_ = 0;
+  std::size_t rows_ = 0;
+  std::size_t not_ok_ = 0;
+  double work_ = 0;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_ = start_;
+};
 
 int workers_for(int asked, int ranks) {
   if (asked > 0) return asked;
@@ -106,9 +120,11 @@ StudySession::StudySession(const StudyPlan& plan, const SessionPolicy& policy, R
     : plan_(plan),
       policy_(policy),
       sink_(sink),
-      progress_(progress_of(plan, policy, sink)),
+      progress_(std::make_unique<Progress>(plan, policy, sink)),
       has_any_(sink.has_any()),
       keeps_failures_(has_run(plan, [](RunPhase phase) { return phase != RunPhase::metrics; })) {}
+
+StudySession::~StudySession() { progress_->finish(); }
 
 void StudySession::add(const PlannedRun& run, const RunRecord& row) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -124,8 +140,8 @@ void StudySession::add(const PlannedRun& run, const RunRecord& row) {
     return;
   }
   if (!run.optional && policy_.progress != nullptr) {
-    progress_.row_done(work_at(plan_, run.row),
-                       row.status == RunStatus::ok || row.status == RunStatus::measured);
+    progress_->row_done(work_at(plan_, run.row),
+                        row.status == RunStatus::ok || row.status == RunStatus::measured);
   }
 }
 
@@ -152,7 +168,7 @@ std::optional<RunRecord> StudySession::failure(const PlannedInstance& instance,
 }
 
 SessionEnd StudySession::end() {
-  progress_.finish();
+  progress_->finish();
   if (sink_failure_) std::rethrow_exception(sink_failure_);
   if (is_interrupted()) return SessionEnd::stopped;
   return is_budget_spent() ? SessionEnd::budget_spent : SessionEnd::complete;

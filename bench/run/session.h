@@ -23,37 +23,6 @@
 
 namespace ar3d {
 
-/// Tells people how far a study is: one line, rewritten in place on a terminal, a new line a
-/// minute elsewhere. Not thread-safe.
-class Progress {
- public:
-  /// @param out  null: silent.  @param total_work  in any unit that is proportional to time.
-  Progress(std::FILE* out, std::string name, std::size_t total_rows, double total_work);
-  ~Progress() { finish(); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  void row_done(double work, bool ok);
-  /// Ends the line on a terminal. Called once more by the destructor, then without effect.
-  void finish();
-
- private:
-  using Clock = std::chrono::steady_clock;
-  void print(Clock::time_point now);
-  std::string line(double elapsed_s) const;
-
-  std::FILE* out_ = nullptr;
-  bool terminal_ = false;
-  std::string name_;
-  std::size_t total_rows_ = 0;
-  double total_work_ = 0;
-  std::size_t rows_ = 0;
-  std::size_t not_ok_ = 0;
-  double work_ = 0;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
-};
-
 /// Holds how the rows of a plan are made: what the user and the other processes decide. What the
 /// study itself decides, timing rules and budget, is in its plan.
 struct SessionPolicy {
@@ -65,19 +34,19 @@ struct SessionPolicy {
   Ranks* ranks = nullptr;     ///< that batches are shared by; null: this process is alone
   std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
   std::string name = {};          ///< of the study, for the progress
-  /// Place in the plan of the next instance for the metrics phase; empty: all, the largest first.
+  /// Gives the place of the next instance for the metrics phase; empty: all, the largest first.
   std::function<std::optional<std::size_t>()> next_instance = {};
 };
 
-/// Workers of one process: as many as asked for; if 0 was, one for each core, or one for each of
-/// several ranks. The only place where that is decided.
+/// Returns the workers of one process: as many as asked for; if 0 was, one for each core, or one
+/// for each of several ranks. The only place where that is decided.
 int workers_for(int asked, int ranks = 1);
 
 /// Holds where the rows of a plan go, and which are there already.
 class RowSink {
  public:
   virtual ~RowSink() = default;
-  /// False: it has no rows, and is not asked for one.
+  /// Returns false if it has no rows, and then is not asked for one.
   virtual bool has_any() const { return false; }
   /// Gives true for a row that is not to be made. Called by several threads at once, as read() is.
   virtual bool has(const std::string& row_key) const {
@@ -101,6 +70,7 @@ enum class SessionEnd { complete, stopped, budget_spent };
 class StudySession {
  public:
   StudySession(const StudyPlan& plan, const SessionPolicy& policy, RowSink& sink);
+  ~StudySession();
 
   const StudyPlan& plan() const { return plan_; }
   const SessionPolicy& policy() const { return policy_; }
@@ -121,16 +91,17 @@ class StudySession {
   /// Its rows of the other phases need not be tried.
   std::optional<RunRecord> failure(const PlannedInstance& instance, const PlannedRun& timed);
 
-  /// Call it last. @throws what the sink threw.
+  /// Ends the session. @throws what the sink threw.
   SessionEnd end();
 
  private:
+  class Progress;
   bool is_budget_spent() const;
 
   const StudyPlan& plan_;
   const SessionPolicy& policy_;
   RowSink& sink_;
-  Progress progress_;
+  const std::unique_ptr<Progress> progress_;
   Stopwatch time_;
   const bool has_any_;
   const bool keeps_failures_;  // only where there are phases that ask
@@ -178,8 +149,8 @@ struct WorkerPool {
 /// memory costs one row: it gets the status, the process is replaced, the others go on. Rows have
 /// the limits of the plan's budget. Those in flight are given up when the session is stopped. No
 /// process outlives the call, nor a worker the caller's process; what a worker that has ended
-/// leaves in its group ends at once, and what its programs leave in any. To be called while no other
-/// thread runs.
+/// leaves in its group ends at once, and what its programs leave in any. To be called while no
+/// other thread runs.
 void work_in_processes(RowSource& source, const WorkerPool& pool);
 
 /// @throws InputError if the plan has timed rows and this build's times are worth little, if a

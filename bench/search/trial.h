@@ -15,7 +15,7 @@
 
 namespace ar3d {
 
-/// O(degree of u).
+/// Returns true if there is that edge. O(degree of u).
 bool has_edge(const Graph& graph, Vertex u, Vertex v);
 
 /// Describes a fault put into finished drawings on purpose, to show that hunter, shrinker and

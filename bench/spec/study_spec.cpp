@@ -20,10 +20,8 @@ constexpr std::int64_t kMaxN = 4294967294, kMaxCount = 1000000;  // a graph has 
 
 class SpecReader {
  public:
-  explicit SpecReader(const std::string& file) : file_(file) {}
-
-  StudySpec read(const std::string& text) {
-    const toml::table root = parse_toml(text, file_);
+  StudySpec read(const std::string& text, const std::string& file) {
+    const toml::table root = parse_toml(text, file);
     StudySpec spec;
     spec.text = text;
     using Node = const toml::node&;
@@ -299,7 +297,6 @@ class SpecReader {
     return patterns;
   }
 
-  std::string file_;
   std::vector<ProgramEntry> programs_;
 };
 
@@ -324,7 +321,7 @@ bool CellPattern::matches(const std::string& family_name, const std::string& alg
 }
 
 StudySpec parse_study(const std::string& text, const std::string& file) {
-  return SpecReader(file).read(text);
+  return SpecReader().read(text, file);
 }
 
 bool accepts_unproved(const std::string& text) {

@@ -20,17 +20,16 @@
 
 namespace ar3d {
 
-/// Rounds of the timing phase, each with one repetition of a drawing: between `least` and `most`,
-/// until times are stable within the precision (timing_source); exactly `most` if it
-/// is 0.
+/// Describes rounds of the timing phase, each with one repetition of a drawing: between `least` and
+/// `most`, until times are stable within the precision (timing_source); exactly `most` if it is 0.
 struct TimedRepetitions {
   std::uint32_t least = 0;
   std::uint32_t most = 0;
   double precision = 0;
 };
 
-/// Batches of equal drawings shared by 1, ... threads or ranks. strong: `drawings` in all, weak:
-/// `drawings` for each of them.
+/// Describes batches of equal drawings shared by 1, ... threads or ranks. strong: `drawings` in
+/// all, weak: `drawings` for each of them.
 struct BatchRules {
   std::vector<std::uint32_t> scales;  ///< how many share; from 1 on, increasing; empty: no batches
   std::uint32_t drawings = 1;
@@ -113,7 +112,8 @@ struct CellPattern {
                std::uint64_t n) const;
 };
 
-/// families x sizes x instances x algorithms x repetitions, less what include and exclude drop.
+/// Describes families x sizes x instances x algorithms x repetitions, less what include and exclude
+/// drop.
 struct Sweep {
   std::vector<FamilyChoice> families;
   std::vector<GraphsEntry> graphs;
@@ -145,7 +145,8 @@ struct StudySpec {
   bool accept_unproved = false;  ///< its verdict passes with rows that are not proved exactly
   std::string text;              ///< the verbatim TOML
   std::string folder;  ///< that the files of `graphs` are looked for in; empty: the current one
-  /// Given: the files that the study began with, in order; the patterns of `graphs` say no more.
+  /// Holds, if given, the files that the study began with, in order; the patterns of `graphs` say
+  /// no more.
   std::optional<std::vector<GraphFileRecord>> graph_files;
   std::vector<CollectedFile> collected;  ///< of a study that has begun: its files as they were read
   std::vector<SkippedFile> skipped;      ///< and those that could not be
@@ -162,7 +163,8 @@ struct StudySpec {
 /// algorithm, option or
 ///   parameter, value out of range, empty list.
 StudySpec parse_study(const std::string& text, const std::string& file);
-/// StudySpec::accept_unproved of a specification, also where its sweeps cannot be read any more.
+/// Returns StudySpec::accept_unproved of a specification, also where its sweeps cannot be read any
+/// more.
 bool accepts_unproved(const std::string& text);
 
 /// Returns a named study, or else the TOML file at that path.
@@ -173,7 +175,8 @@ StudySpec load_study(const std::string& name_or_path);
 /// @param file  that the identity stands in, for messages. @throws InputError as parse_study.
 StudySpec recorded_study(const StudyIdentity& identity, const std::string& file);
 
-/// The algorithm of that name, of the catalogue or a program of the study, with complete options.
+/// Returns the algorithm of that name, of the catalogue or a program of the study, with complete
+/// options.
 /// @throws InputError naming the unknown algorithm or option.
 AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
                                  const Settings& options);

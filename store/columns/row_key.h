@@ -22,7 +22,7 @@ std::string to_string(const RowKey& key);
 
 }  // namespace ar3d
 
-/// A key is a hash already.
+/// Takes the key, which is a hash already.
 template <>
 struct std::hash<ar3d::RowKey> {
   std::size_t operator()(const ar3d::RowKey& key) const noexcept { return key.low; }

@@ -25,8 +25,8 @@ void store_missing(const Field& field, char* to);
 /// Returns the text of a text field of a record.
 std::string text_of(const Field& field, const char* record);
 
-/// `text` as a field holds it: printable UTF-8 of at most `size` bytes, what is none replaced by
-/// '?', cut between characters.
+/// Returns `text` as a field holds it: printable UTF-8 of at most `size` bytes, what is none
+/// replaced by '?', cut between characters.
 std::string fitted_text(const std::string& text, std::size_t size);
 
 /// Lays the fields out one after the other, without gaps.

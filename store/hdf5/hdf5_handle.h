@@ -64,7 +64,7 @@ class Hdf5Handle {
   Close close_;
 };
 
-/// Attributes of an object: a UTF-8 string, or a 64-bit integer.
+/// Writes an attribute of an object: a UTF-8 string, or a 64-bit integer.
 void write_attribute(hid_t object, const std::string& name, const std::string& value);
 void write_attribute(hid_t object, const std::string& name, long long value);
 /// @throws Hdf5Error if it is missing or of another type.

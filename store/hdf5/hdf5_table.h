@@ -10,7 +10,8 @@
 
 namespace ar3d {
 
-/// A file has at most so many records for each of its bytes: deflate packs at most about 1032 to 1.
+/// Says how many records a file has at most for each of its bytes: deflate packs at most about 1032
+/// to 1.
 inline constexpr std::uint64_t kMostRecordsPerByte = 1100;
 
 // A TableSpec in an HDF5 file is a one-dimensional dataset of a compound type, chunked and
@@ -48,7 +49,7 @@ void write_table(hid_t file, const StoredTable& table);
 /// Represents a table of an open file, read by record number. Memory: a chunk of records.
 class TableReader {
  public:
-  /// Fields are found by name; fields of the file that are not asked for are ignored, those that
+  /// Finds fields by name; fields of the file that are not asked for are ignored, those that
   /// are not in the file are missing in every record.
   /// @throws Hdf5Error if the table or a required field is missing, a field is not exactly of its
   /// type, or the table is not stored as this program stores tables: chunked, deflated or plain, in

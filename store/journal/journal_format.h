@@ -15,16 +15,16 @@
 
 namespace ar3d {
 
-/// Every record begins with that, and holds it nowhere else.
+/// Stands at the beginning of every record, and holds it nowhere else.
 inline constexpr std::string_view kRecordStart = R"({"rows":)";
-/// A journal begins with that.
+/// Stands at the beginning of a journal.
 inline constexpr std::string_view kJournalStart =
     R"({"rows":0,"not_ok":0,"ar3d_journal":{"version":3,)";
 
 /// Returns true of the first bytes of a journal, also of one of an older version.
 bool begins_as_journal(std::string_view bytes);
 
-/// By the key of their content in the line: ar3d_journal, session, row, session_end.
+/// Names records by the key of their content in the line: ar3d_journal, session, row, session_end.
 enum class JournalKind : std::uint8_t { identity, session, row, session_end };
 
 /// Describes a line.
@@ -69,7 +69,8 @@ RowKey key_of_row(std::string_view json);
 
 /// Returns the study's identity with its tables, and the columns that the rows have, as JSON.
 std::string identity_text(const StudyIdentity& identity);
-/// @throws InputError naming `path` if it is not the identity of a study with this program's columns.
+/// @throws InputError naming `path` if it is not the identity of a study with this program's
+/// columns.
 StudyIdentity parse_identity(std::string_view text, const std::string& path);
 
 std::string session_text(const std::vector<EnvironmentEntry>& environment);

@@ -30,7 +30,7 @@ class JournalReader {
   explicit JournalReader(std::string path);
 
   const StudyIdentity& identity() const { return identity_; }
-  /// Entry `session` is its position.
+  /// Returns the sessions, by number.
   const std::vector<std::vector<EnvironmentEntry>>& sessions() const { return sessions_; }
   std::size_t size() const { return rows_.size(); }
   /// Returns where the last whole record ends.

@@ -117,8 +117,9 @@ void JournalWriter::read_existing(const StudyIdentity& identity,
   if (fsync(file_.get()) != 0) refuse_to_append(path_, errno);
 }
 
-// One record cut short is what every crash leaves behind, or zeros, which a loss of power may leave. Anything else, a whole record that stands
-// where it does not belong for one, may be rows that another process has acknowledged.
+// One record cut short is what every crash leaves behind, or zeros, which a loss of power may
+// leave. Anything else, a whole record that stands where it does not belong for one, may be rows
+// that another process has acknowledged.
 void JournalWriter::keep_what_is_cut() {
   std::string bytes(bytes_cut_, '\0');
   if (read_whole(file_.get(), bytes, end_) < bytes.size()) {

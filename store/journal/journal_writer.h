@@ -55,7 +55,7 @@ class JournalWriter {
   /// Appends a record as it is; its session counts this journal's, from 0.
   void append_record(const char* record);
 
-  /// Everything appended is on the disk. @throws JournalFull
+  /// Puts everything appended on the disk. @throws JournalFull
   void sync();
 
   std::uint64_t rows() const { return last_.rows; }

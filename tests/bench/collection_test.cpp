@@ -5,28 +5,14 @@
 #include <set>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/plan/corpora.h"
-#include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/row_maker.h"
-#include "ar3d/formats/catalog.h"
-#include "support/graphs.h"
-#include "support/problem.h"
-#include "support/program.h"
+#include "bench/graph_files.h"
 
 namespace ar3d::testing {
 namespace {
 
-class Collections : public ::testing::Test {
+class Collections : public GraphFiles {
  protected:
-  void write(const std::string& name, const std::vector<Graph>& graphs) const {
-    write_graphs(graphs, *graph_format_of_path(name), scratch_.path(name));
-  }
-  StudySpec study(const std::string& sweep) const {
-    StudySpec spec =
-        parse_study("study = \"t\"\n[[sweep]]\nalgorithms = \"diamond\"\n" + sweep, "t.toml");
-    spec.folder = scratch_.path("");
-    return spec;
-  }
   void SetUp() override {
     for (const char* folder : {"c", "c/a", "c/b", "c/b/.hidden"}) {
       fs::create_directory(scratch_.path(folder));
@@ -48,7 +34,6 @@ class Collections : public ::testing::Test {
     }
     return rows;
   }
-  ScratchDirectory scratch_;
   mutable std::set<std::string> keys;
 };
 

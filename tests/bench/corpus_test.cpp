@@ -4,23 +4,13 @@
 #include <set>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/plan/corpora.h"
-#include "ar3d/bench/plan/plan.h"
-#include "ar3d/formats/catalog.h"
-#include "support/graphs.h"
-#include "support/problem.h"
-#include "support/program.h"
+#include "bench/graph_files.h"
 
 namespace ar3d::testing {
 namespace {
 
-class Files : public ::testing::Test {
+class Files : public GraphFiles {
  protected:
-  std::string write(const std::string& name, const std::vector<Graph>& graphs) const {
-    std::string path = scratch_.path(name);
-    write_graphs(graphs, *graph_format_of_path(name), path);
-    return path;
-  }
   static std::vector<Graph> some() {
     std::vector<Graph> graphs;
     for (std::uint64_t i = 0; i < 30; ++i) {
@@ -28,14 +18,6 @@ class Files : public ::testing::Test {
     }
     return graphs;
   }
-  StudySpec study(const std::string& sweep) const {
-    StudySpec spec =
-        parse_study("study = \"t\"\n[[sweep]]\nalgorithms = \"diamond\"\n" + sweep, "t.toml");
-    spec.folder = scratch_.path("");
-    return spec;
-  }
-
-  ScratchDirectory scratch_;
 };
 
 TEST_F(Files, AllGraphsComeBackBySizeAndPlace) {

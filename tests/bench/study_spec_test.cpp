@@ -4,6 +4,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
+#include "support/parts.h"
 #include "support/problem.h"
 #include "support/test.h"
 
@@ -107,35 +108,34 @@ TEST(StudySpec, MeasuresAreCheckedWithTheirLine) {
                     "\nstudy = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = 10\n"
                     "algorithms = \"grid\"\n");
   };
-  EXPECT_EQ(top("budget = { study_s = 1 }"), "no error");
-  EXPECT_THAT(top("budget = { study_s_per_vertex = 1 }"), HasSubstr("unknown key 'study_s_per_v"));
-  EXPECT_THAT(top("budget = { row_time_s = -1 }"),
-              HasSubstr("t.toml:1: row_time_s = -1 is outside"));
-  EXPECT_THAT(top("budget = { row_memory_bytes_per_vertex = \"3\" }"),
-              HasSubstr("t.toml:1: row_memory_bytes_per_vertex is not a number"));
-  EXPECT_THAT(top("budget = { time = 1 }"), HasSubstr("unknown key 'time' in budget"));
-  EXPECT_THAT(top("timing = { warm_up = -1 }"), HasSubstr("t.toml:1: warm_up = -1 is outside"));
-  EXPECT_THAT(top("timing = { write = 1 }"), HasSubstr("write is neither true nor false"));
-  EXPECT_THAT(error_of(study_with("timed_repetitions = { precision = 0 }")),
-              HasSubstr("t.toml:6: precision = 0 is outside"));
-  EXPECT_THAT(error_of(study_with("timed_repetitions = { precision = 0.1, min = 5 }")),
-              HasSubstr("t.toml:6: min = 5 is outside 6.."));
-  EXPECT_THAT(error_of(study_with("timed_repetitions = { precision = 0.1, min = 9, max = 8 }")),
-              HasSubstr("max = 8 is outside 9.."));
-  EXPECT_THAT(error_of(study_with("timed_repetitions = { min = 9 }")),
-              HasSubstr("timed_repetitions lacks 'precision'"));
-  EXPECT_THAT(error_of(study_with("strong = { threads = [2, 4] }")),
-              HasSubstr("t.toml:6: threads do not begin with 1 and increase"));
-  EXPECT_THAT(error_of(study_with("weak = { threads = [1, 2, 2] }")),
-              HasSubstr("threads do not begin with 1 and increase"));
-  EXPECT_THAT(error_of(study_with("weak = { drawings = 2 }")), HasSubstr("weak lacks 'threads'"));
-  EXPECT_THAT(error_of(study_with("weak_ranks = { ranks = [1, 1] }")),
-              HasSubstr("t.toml:6: ranks do not begin with 1 and increase"));
-  EXPECT_THAT(error_of(study_with("strong_ranks = { threads = [1, 2] }")),
-              HasSubstr("unknown key 'threads' in strong_ranks (known: drawings, ranks, "));
-  EXPECT_THAT(error_of("study = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = "
-                       "{ from = 1, to = 5, factor = 1 }\nalgorithms = \"grid\""),
-              HasSubstr("t.toml:4: factor = 1 is outside"));
+  expect_parts({{top("budget = { study_s = 1 }"), "no error"},
+                {top("budget = { study_s_per_vertex = 1 }"), "unknown key 'study_s_per_v"},
+                {top("budget = { row_time_s = -1 }"), "t.toml:1: row_time_s = -1 is outside"},
+                {top("budget = { row_memory_bytes_per_vertex = \"3\" }"),
+                 "t.toml:1: row_memory_bytes_per_vertex is not a number"},
+                {top("budget = { time = 1 }"), "unknown key 'time' in budget"},
+                {top("timing = { warm_up = -1 }"), "t.toml:1: warm_up = -1 is outside"},
+                {top("timing = { write = 1 }"), "write is neither true nor false"},
+                {error_of(study_with("timed_repetitions = { precision = 0 }")),
+                 "t.toml:6: precision = 0 is outside"},
+                {error_of(study_with("timed_repetitions = { precision = 0.1, min = 5 }")),
+                 "t.toml:6: min = 5 is outside 6.."},
+                {error_of(study_with("timed_repetitions = { precision = 0.1, min = 9, max = 8 }")),
+                 "max = 8 is outside 9.."},
+                {error_of(study_with("timed_repetitions = { min = 9 }")),
+                 "timed_repetitions lacks 'precision'"},
+                {error_of(study_with("strong = { threads = [2, 4] }")),
+                 "t.toml:6: threads do not begin with 1 and increase"},
+                {error_of(study_with("weak = { threads = [1, 2, 2] }")),
+                 "threads do not begin with 1 and increase"},
+                {error_of(study_with("weak = { drawings = 2 }")), "weak lacks 'threads'"},
+                {error_of(study_with("weak_ranks = { ranks = [1, 1] }")),
+                 "t.toml:6: ranks do not begin with 1 and increase"},
+                {error_of(study_with("strong_ranks = { threads = [1, 2] }")),
+                 "unknown key 'threads' in strong_ranks (known: drawings, ranks, "},
+                {error_of("study = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = "
+                          "{ from = 1, to = 5, factor = 1 }\nalgorithms = \"grid\""),
+                 "t.toml:4: factor = 1 is outside"}});
 }
 
 TEST(StudySpec, AllMeansTheCatalogue) {
@@ -161,27 +161,25 @@ TEST(StudySpec, ErrorsNameFileLineAndValue) {
                         "(known: algorithms,"));
   EXPECT_THAT(error_of(study_with("include = []")), HasSubstr("t.toml:6: include is empty"));
   EXPECT_THAT(error_of(study_with("exclude = []")), "no error");
-  EXPECT_THAT(error_of("colour = 1\n" + study_with("")),
-              HasSubstr("t.toml:1: unknown key 'colour' in the study"));
-  EXPECT_THAT(error_of("study = \"t\""), HasSubstr("the study lacks 'sweep'"));
-  EXPECT_THAT(error_of("sede = 1\nzeal = 2"),
-              HasSubstr("t.toml:1: unknown key 'sede' in the study; did you mean 'seed'?"));
-  EXPECT_THAT(error_of("study = \"t\"\n[[sweep]]\nsizes = 5\ncolour = 3"),
-              HasSubstr("t.toml:4: unknown key 'colour' in sweep"));
-  EXPECT_THAT(error_of(study_with("strong = { drawing = 2 }")),
-              HasSubstr("t.toml:6: unknown key 'drawing' in strong; did you mean 'drawings'?"));
-  EXPECT_THAT(error_of(study_with("timed_repetitions = { most = 9 }")),
-              HasSubstr("t.toml:6: unknown key 'most' in timed_repetitions"));
+  expect_parts(
+      {{error_of("colour = 1\n" + study_with("")), "t.toml:1: unknown key 'colour' in the study"},
+       {error_of("study = \"t\""), "the study lacks 'sweep'"},
+       {error_of("sede = 1\nzeal = 2"),
+        "t.toml:1: unknown key 'sede' in the study; did you mean 'seed'?"},
+       {error_of("study = \"t\"\n[[sweep]]\nsizes = 5\ncolour = 3"),
+        "t.toml:4: unknown key 'colour' in sweep"},
+       {error_of(study_with("strong = { drawing = 2 }")),
+        "t.toml:6: unknown key 'drawing' in strong; did you mean 'drawings'?"},
+       {error_of(study_with("timed_repetitions = { most = 9 }")),
+        "t.toml:6: unknown key 'most' in timed_repetitions"}});
   EXPECT_EQ(error_of(study_with("graphs = { files = \"a\", sampel = 1 }")).substr(0, 54),
             "t.toml:6: unknown key 'sampel' in graphs; did you mean");
-  EXPECT_THAT(error_of("study = \"../t\""), HasSubstr("t.toml:1: study name '../t' is not"));
-  EXPECT_THAT(error_of("study = 5"), HasSubstr("t.toml:1: study is not a string"));
-  EXPECT_THAT(error_of("seed = -1\n" + study_with("")),
-              HasSubstr("t.toml:1: seed = -1 is outside 0.."));
-  EXPECT_THAT(error_of(study_with("instances = 0")),
-              HasSubstr("t.toml:6: instances = 0 is outside 1..1000000"));
-  EXPECT_THAT(error_of(study_with("instances = \"a\"")),
-              HasSubstr("t.toml:6: instances is not an integer"));
+  expect_parts(
+      {{error_of("study = \"../t\""), "t.toml:1: study name '../t' is not"},
+       {error_of("study = 5"), "t.toml:1: study is not a string"},
+       {error_of("seed = -1\n" + study_with("")), "t.toml:1: seed = -1 is outside 0.."},
+       {error_of(study_with("instances = 0")), "t.toml:6: instances = 0 is outside 1..1000000"},
+       {error_of(study_with("instances = \"a\"")), "t.toml:6: instances is not an integer"}});
   EXPECT_THAT(error_of("study = \"t\"\nsweep = []"), HasSubstr("t.toml:2: sweep is empty"));
   EXPECT_THAT(error_of(study_with("exclude = [{ family = \"cycel\" }]")),
               HasSubstr("t.toml:6: unknown family 'cycel'"));
@@ -191,12 +189,12 @@ TEST(StudySpec, ErrorsNameFileLineAndValue) {
             "t.toml:1: certificate is not a string");
   EXPECT_EQ(error_of("budget = { row_time_s = \"3\" }\n" + study_with("")),
             "t.toml:1: row_time_s is not a number");
-  EXPECT_THAT(error_of("keep_drawings = \"wrost\"\n" + study_with("")),
-              HasSubstr("t.toml:1: keep_drawings 'wrost' is none of none, worst, violated and all; "
-                        "did you mean 'worst'?"));
-  EXPECT_THAT(error_of(study_with("level = \"extend\"")), HasSubstr("did you mean 'extents'?"));
-  EXPECT_THAT(error_of("max_n = { no = 3 }\n" + study_with("")),
-              HasSubstr("t.toml:1: unknown algorithm 'no'"));
+  expect_parts(
+      {{error_of("keep_drawings = \"wrost\"\n" + study_with("")),
+        "t.toml:1: keep_drawings 'wrost' is none of none, worst, violated and all; "
+        "did you mean 'worst'?"},
+       {error_of(study_with("level = \"extend\"")), "did you mean 'extents'?"},
+       {error_of("max_n = { no = 3 }\n" + study_with("")), "t.toml:1: unknown algorithm 'no'"}});
 }
 
 std::string sweep_error(const std::string& families, const std::string& sizes,
@@ -210,24 +208,21 @@ TEST(StudySpec, RefusesBadAxes) {
   EXPECT_EQ(sweep_error("\"cycle\"", "10", good), "no error");
   EXPECT_THAT(sweep_error("\"cycel\"", "10", good), HasSubstr("t.toml:3: unknown family 'cycel'"));
   EXPECT_THAT(sweep_error("[]", "10", good), HasSubstr("t.toml:3: families is empty"));
-  EXPECT_THAT(sweep_error("{ family = \"cycle\", k = 2 }", "10", good), HasSubstr("t.toml:3: "));
-  EXPECT_THAT(sweep_error("{ family = \"generalised-petersen\", k = -5 }", "10", good),
-              HasSubstr("-5"));
-  EXPECT_THAT(sweep_error("\"cycle\"", "-3", good),
-              HasSubstr("t.toml:4: size = -3 is outside 0.."));
-  EXPECT_THAT(sweep_error("\"cycle\"", "1.5", good), HasSubstr("t.toml:4: size is not an integer"));
-  EXPECT_THAT(sweep_error("\"cycle\"", "{ from = 10, to = 5, per_decade = 1 }", good),
-              HasSubstr("to = 5 is outside 10.."));
-  EXPECT_THAT(sweep_error("\"cycle\"", "{ from = 10, to = 50, step = 1, per_decade = 1 }", good),
-              HasSubstr("unknown key 'step'"));
-  EXPECT_THAT(sweep_error("\"cycle\"", "10", "\"dimond\""),
-              HasSubstr("t.toml:5: unknown algorithm 'dimond'; did you mean 'diamond'?"));
-  EXPECT_THAT(sweep_error("\"cycle\"", "10", "{ algorithm = \"diamond\", efort = 1 }"),
-              HasSubstr("t.toml:5: algorithm diamond has no option 'efort'"));
-  EXPECT_THAT(sweep_error("\"cycle\"", "10", "{ algorithm = \"diamond\", effort = 99 }"),
-              HasSubstr("t.toml:5: algorithm diamond: option effort = 99 is outside"));
-  EXPECT_THAT(sweep_error("\"cycle\"", "10", "{ effort = 1 }"),
-              HasSubstr("algorithm lacks 'algorithm'"));
+  expect_parts({{sweep_error("{ family = \"cycle\", k = 2 }", "10", good), "t.toml:3: "},
+                {sweep_error("{ family = \"generalised-petersen\", k = -5 }", "10", good), "-5"},
+                {sweep_error("\"cycle\"", "-3", good), "t.toml:4: size = -3 is outside 0.."},
+                {sweep_error("\"cycle\"", "1.5", good), "t.toml:4: size is not an integer"},
+                {sweep_error("\"cycle\"", "{ from = 10, to = 5, per_decade = 1 }", good),
+                 "to = 5 is outside 10.."},
+                {sweep_error("\"cycle\"", "{ from = 10, to = 50, step = 1, per_decade = 1 }", good),
+                 "unknown key 'step'"},
+                {sweep_error("\"cycle\"", "10", "\"dimond\""),
+                 "t.toml:5: unknown algorithm 'dimond'; did you mean 'diamond'?"},
+                {sweep_error("\"cycle\"", "10", "{ algorithm = \"diamond\", efort = 1 }"),
+                 "t.toml:5: algorithm diamond has no option 'efort'"},
+                {sweep_error("\"cycle\"", "10", "{ algorithm = \"diamond\", effort = 99 }"),
+                 "t.toml:5: algorithm diamond: option effort = 99 is outside"},
+                {sweep_error("\"cycle\"", "10", "{ effort = 1 }"), "algorithm lacks 'algorithm'"}});
 }
 
 TEST(StudySpec, NamedStudiesParse) {

@@ -15,6 +15,7 @@
 #include "ar3d/store/run_storage.h"
 #include "store/forged.h"
 #include "store/sample_runs.h"
+#include "support/parts.h"
 
 namespace ar3d::testing {
 namespace {
@@ -130,19 +131,18 @@ std::string error_after(const std::string& path, const std::string& change) {
 
 TEST_F(ResultsFile, RefusesAnotherFormatOrVersion) {
   const std::string path = in_folder("r.h5");
-  EXPECT_THAT(error_after(path, "f.attrs['format_version'] = 4"), HasSubstr("format version 4"));
-  EXPECT_THAT(error_after(path, "del f.attrs['format']"),
-              HasSubstr("attribute 'format' is missing"));
-  EXPECT_THAT(error_after(path, "del f['runs']"), HasSubstr("/runs is missing"));
-  EXPECT_THAT(error_after(path, "del f['spec']"), HasSubstr("/spec is missing"));
-  EXPECT_THAT(error_after(path,
-                          "d = f['runs'][:]; del f['runs']; "
-                          "f['runs'] = d[[n for n in d.dtype.names if n != 'seed']]"),
-              HasSubstr("/runs has no field 'seed'"));
-  EXPECT_THAT(error_after(path, "del f['runs']; f['runs'] = [1, 2]"),
-              HasSubstr("/runs is not a table of records"));
-  EXPECT_THAT(error_after(path, "f['spec'][()] = b'another'"), HasSubstr("/spec"));
-  EXPECT_THAT(error_after(path, "f.attrs['planned_rows'] = 1.5"), HasSubstr("planned_rows"));
+  expect_parts(
+      {{error_after(path, "f.attrs['format_version'] = 4"), "format version 4"},
+       {error_after(path, "del f.attrs['format']"), "attribute 'format' is missing"},
+       {error_after(path, "del f['runs']"), "/runs is missing"},
+       {error_after(path, "del f['spec']"), "/spec is missing"},
+       {error_after(path,
+                    "d = f['runs'][:]; del f['runs']; "
+                    "f['runs'] = d[[n for n in d.dtype.names if n != 'seed']]"),
+        "/runs has no field 'seed'"},
+       {error_after(path, "del f['runs']; f['runs'] = [1, 2]"), "/runs is not a table of records"},
+       {error_after(path, "f['spec'][()] = b'another'"), "/spec"},
+       {error_after(path, "f.attrs['planned_rows'] = 1.5"), "planned_rows"}});
 }
 
 TEST_F(ResultsFile, FillsColumnsThatAreMissing) {
@@ -165,28 +165,28 @@ TEST_F(ResultsFile, RefusesFilesThatReachForOthers) {
   std::ofstream(in_folder("secret.txt")) << std::string(5000, 's');
   const std::string secret = in_folder("secret.txt");
   write_results(sample_results(1), in_folder("other.h5"));
-  EXPECT_THAT(error_after(path,
-                          "del f['spec']; f.create_dataset('spec', shape=(1,), dtype='S9', "
-                          "external=[('" +
-                              secret + "', 0, 9)])"),
-              HasSubstr("/spec has its bytes in another file"));
-  EXPECT_THAT(error_after(path, "del f['runs']; f['runs'] = h5py.ExternalLink('" +
-                                    in_folder("other.h5") + "', 'runs')"),
-              HasSubstr("/runs is a link elsewhere"));
-  EXPECT_THAT(error_after(path,
-                          "d = f['runs'].dtype; del f['runs']; l = h5py.VirtualLayout((1,), d); "
-                          "l[:] = h5py.VirtualSource('" +
-                              in_folder("other.h5") +
-                              "', 'runs', (1,)); f.create_virtual_dataset('runs', l)"),
-              HasSubstr("/runs is a view of other datasets"));
-  EXPECT_THAT(error_after(path,
-                          "d = f['runs'].dtype; del f['runs']; "
-                          "f.create_dataset('runs', (10**12,), d, chunks=(512,))"),
-              HasSubstr("more than the file can hold"));
-  EXPECT_THAT(error_after(path,
-                          "d = f['runs'].dtype; del f['runs']; "
-                          "f.create_dataset('runs', (10**6,), d, chunks=(10**6,))"),
-              HasSubstr("/runs has chunks of more than"));
+  expect_parts({{error_after(path,
+                             "del f['spec']; f.create_dataset('spec', shape=(1,), dtype='S9', "
+                             "external=[('" +
+                                 secret + "', 0, 9)])"),
+                 "/spec has its bytes in another file"},
+                {error_after(path, "del f['runs']; f['runs'] = h5py.ExternalLink('" +
+                                       in_folder("other.h5") + "', 'runs')"),
+                 "/runs is a link elsewhere"},
+                {error_after(path,
+                             "d = f['runs'].dtype; del f['runs']; l = h5py.VirtualLayout((1,), d); "
+                             "l[:] = h5py.VirtualSource('" +
+                                 in_folder("other.h5") +
+                                 "', 'runs', (1,)); f.create_virtual_dataset('runs', l)"),
+                 "/runs is a view of other datasets"},
+                {error_after(path,
+                             "d = f['runs'].dtype; del f['runs']; "
+                             "f.create_dataset('runs', (10**12,), d, chunks=(512,))"),
+                 "more than the file can hold"},
+                {error_after(path,
+                             "d = f['runs'].dtype; del f['runs']; "
+                             "f.create_dataset('runs', (10**6,), d, chunks=(10**6,))"),
+                 "/runs has chunks of more than"}});
 }
 
 TEST_F(ResultsFile, RefusesFilesThatAnotherProgramHasChanged) {
@@ -240,11 +240,10 @@ TEST_F(ResultsFile, AReaderThatEndsIsTold) {
 
 TEST_F(ResultsFile, RefusesUnwritablePlaces) {
   const Results results = sample_results(1);
-  EXPECT_THAT(write_error(results, in_folder("no/such/r.h5")),
-              HasSubstr("No such file or directory"));
-  EXPECT_THAT(write_error(results, folder_.path("")), HasSubstr("Is a directory"));
-  EXPECT_THAT(write_error(results, "/dev/null"), HasSubstr("it is not a regular file"));
-  EXPECT_THAT(write_error(results, "/proc/r.h5"), HasSubstr("cannot write /proc/r.h5: "));
+  expect_parts({{write_error(results, in_folder("no/such/r.h5")), "No such file or directory"},
+                {write_error(results, folder_.path("")), "Is a directory"},
+                {write_error(results, "/dev/null"), "it is not a regular file"},
+                {write_error(results, "/proc/r.h5"), "cannot write /proc/r.h5: "}});
   EXPECT_THROW(require_writable("/proc/r.h5"), InputError);
   EXPECT_NO_THROW(require_writable(in_folder("r.h5")));
   EXPECT_EQ(folder_.entries(), 0u);
