@@ -14,68 +14,60 @@ namespace ar3d {
 
 namespace {
 
-constexpr std::array<char, 3> kAxis = {'x', 'y', 'z'};
-
 /// The theorem's bound is a rounded double in the file; the verifier has decided it exactly before
 /// (violation `size`), so a relative error of a few roundings must not raise an alarm here.
 constexpr double kRounding = 1e-12;
 
-using Findings = std::vector<Finding>;
+using enum FindingKind;
 
-void check_axis(const RunRecord& run, std::size_t row, std::size_t axis, Findings& findings) {
-  const std::int64_t extent = run.extents[axis];
+template <class Add>
+void check_axis(const RunRecord& run, std::size_t axis, const Add& add) {
+  const std::int64_t extent = run.extents[axis], instance_bound = run.instance_bound[axis];
   const double bound = run.theorem_bound[axis];
-  if (extent < 0) {
-    findings.push_back({FindingKind::not_certified, row,
-                        fmt::format("no extent along {} although ok", kAxis[axis])});
-    return;
-  }
+  const char name = "xyz"[axis];
+  if (extent < 0) return add(not_certified, fmt::format("no extent along {} although ok", name));
   if (!std::isfinite(bound)) {
-    findings.push_back({FindingKind::not_certified, row,
-                        fmt::format("no theorem bound along {} to check against", kAxis[axis])});
+    add(not_certified, fmt::format("no theorem bound along {} to check against", name));
   } else if (static_cast<double>(extent) > bound * (1 + kRounding)) {
-    findings.push_back({FindingKind::theorem_bound, row,
-                        fmt::format("extent {} along {} passes the theorem's {:.17g}", extent,
-                                    kAxis[axis], bound)});
+    add(theorem_bound,
+        fmt::format("extent {} along {} passes the theorem's {:.17g}", extent, name, bound));
   }
-  const std::int64_t instance_bound = run.instance_bound[axis];
   if (instance_bound >= 0 && extent > instance_bound) {
-    findings.push_back({FindingKind::instance_bound, row,
-                        fmt::format("extent {} along {} passes the instance's bound {}", extent,
-                                    kAxis[axis], instance_bound)});
+    add(FindingKind::instance_bound,
+        fmt::format("extent {} along {} passes the instance's bound {}", extent, name,
+                    instance_bound));
   }
 }
 
 /// Lemma L.5 is right, too; rows of earlier programs have no such bound (NaN).
-void check_volume(const RunRecord& run, std::size_t row, Findings& findings) {
+template <class Add>
+void check_volume(const RunRecord& run, const Add& add) {
   static const Column least = run_column("volume_at_least");
   constexpr double kRoundings = 1e-9;
   if (!(run.log2_volume < std::log2(column_number(least, run)) - kRoundings)) return;
-  findings.push_back({FindingKind::instance_bound, row,
-                      fmt::format("a volume of 2^{:.6g} is below volume_at_least, {:.17g}",
-                                  run.log2_volume, column_number(least, run))});
+  add(instance_bound, fmt::format("a volume of 2^{:.6g} is below volume_at_least, {:.17g}",
+                                  run.log2_volume, column_number(least, run)));
 }
 
 /// What every ok row has, whatever its graph; a missing value is NaN.
-void check_numbers(const RunRecord& run, std::size_t row, Findings& findings) {
+template <class Add>
+void check_numbers(const RunRecord& run, const Add& add) {
   const bool is_timed = run.phase == RunPhase::metrics || run.phase == RunPhase::timing;
-  const std::array<std::pair<const char*, double>, 2> numbers = {
-      {{"log2_volume", run.log2_volume}, {"wall_s", is_timed ? run.wall_s : 0}}};
-  for (const auto& [name, value] : numbers) {
+  for (const auto& [name, value] : {std::pair{"log2_volume", run.log2_volume},
+                                    std::pair{"wall_s", is_timed ? run.wall_s : 0}}) {
     if (std::isfinite(value) && value >= 0) continue;
-    findings.push_back({FindingKind::not_certified, row,
-                        fmt::format("{} is not a number of at least 0 although ok", name)});
+    add(not_certified, fmt::format("{} is not a number of at least 0 although ok", name));
   }
 }
 
-void check_certificate(const RunRecord& run, std::size_t row, Findings& findings) {
+template <class Add>
+void check_certificate(const RunRecord& run, const Add& add) {
   if (run.violations > 0) {
-    findings.push_back({FindingKind::certificate, row,
-                        fmt::format("{} violations: {}", run.violations, run.message)});
+    add(certificate, fmt::format("{} violations: {}", run.violations, run.message));
   } else if (run.status == RunStatus::violated) {
-    findings.push_back({FindingKind::certificate, row, "violated: " + run.message});
+    add(certificate, "violated: " + run.message);
   } else if (run.violations < 0) {
-    findings.push_back({FindingKind::not_certified, row, "ok, but never certified"});
+    add(not_certified, "ok, but never certified");
   }
 }
 
@@ -167,29 +159,31 @@ bool is_unproved(const RunRecord& run) {
 }
 
 std::vector<Finding> row_findings(const RunRecord& run, std::size_t row) {
-  Findings findings;
+  std::vector<Finding> findings;
+  const auto add = [&](FindingKind kind, std::string message) {
+    findings.push_back({kind, row, std::move(message)});
+  };
   if (!run.row_key.empty() && run.row_key.find_first_not_of('0') == std::string::npos) {
-    findings.push_back({FindingKind::not_certified, row, "its row key is no hash of a row"});
+    add(not_certified, "its row key is no hash of a row");
   }
   switch (run.status) {
     case RunStatus::refused:
       break;
     case RunStatus::measured:  // nothing was promised
-      check_numbers(run, row, findings);
+      check_numbers(run, add);
       break;
     case RunStatus::ok:
-      check_numbers(run, row, findings);
+      check_numbers(run, add);
       if (is_unproved(run)) break;
-      check_certificate(run, row, findings);
-      for (std::size_t axis = 0; axis < 3; ++axis) check_axis(run, row, axis, findings);
-      check_volume(run, row, findings);
+      check_certificate(run, add);
+      for (std::size_t axis = 0; axis < 3; ++axis) check_axis(run, axis, add);
+      check_volume(run, add);
       break;
     case RunStatus::violated:
-      check_certificate(run, row, findings);
+      check_certificate(run, add);
       break;
     default:
-      findings.push_back({FindingKind::unfinished, row,
-                          fmt::format("{}: {}", to_string(run.status), run.message)});
+      add(unfinished, fmt::format("{}: {}", to_string(run.status), run.message));
   }
   return findings;
 }

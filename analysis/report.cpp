@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include "ar3d/analysis/report/sections.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/store/columns/run_columns.h"
@@ -14,14 +16,10 @@ namespace {
 
 /// Text of an element: markup in it is none, and control characters are spaces.
 std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : valid_utf8(text)) {
-    const bool is_control = static_cast<unsigned char>(c) < 0x20;
-    safe += c == '&'   ? "&amp;"
-            : c == '<' ? "&lt;"
-            : c == '>' ? "&gt;"
-                       : std::string(1, is_control ? ' ' : c);
-  }
+  std::string safe = one_line(text);
+  boost::algorithm::replace_all(safe, "&", "&amp;");
+  boost::algorithm::replace_all(safe, "<", "&lt;");
+  boost::algorithm::replace_all(safe, ">", "&gt;");
   return safe;
 }
 

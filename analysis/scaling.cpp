@@ -62,23 +62,24 @@ double span_of(const std::vector<SizeSample>& sizes) {
 /// True if there are enough sizes; else says what is missing.
 bool has_enough_sizes(const FitOptions& options, ScalingEntry& entry) {
   const auto& used = entry.used;
-  if (used.size() < options.minimum_sizes) {
-    entry.reason =
-        fmt::format("{} sizes; at least {} are needed", used.size(), options.minimum_sizes);
-    propose(doubled_sizes(entry, options.minimum_sizes - used.size()), entry);
+  const auto refuse = [&](std::string reason, std::size_t more) {
+    entry.reason = std::move(reason);
+    propose(doubled_sizes(entry, more), entry);
     return false;
+  };
+  if (used.size() < options.minimum_sizes) {
+    return refuse(
+        fmt::format("{} sizes; at least {} are needed", used.size(), options.minimum_sizes),
+        options.minimum_sizes - used.size());
   }
   if (span_of(used) < options.minimum_span) {
-    entry.reason =
-        fmt::format("the largest size is only {:.2g} times the smallest; at least {:.2g} is needed",
-                    span_of(used), options.minimum_span);
-    propose(doubled_sizes(entry, 2), entry);
-    return false;
+    return refuse(fmt::format("the largest size is only {:.2g} times the smallest; at least {:.2g} "
+                              "is needed",
+                              span_of(used), options.minimum_span),
+                  2);
   }
   if (used.front().n < kSmallestNForLogs) {
-    entry.reason = fmt::format("sizes below {} cannot tell logarithms", kSmallestNForLogs);
-    propose(doubled_sizes(entry, 1), entry);
-    return false;
+    return refuse(fmt::format("sizes below {} cannot tell logarithms", kSmallestNForLogs), 1);
   }
   return true;
 }

@@ -17,11 +17,6 @@ bool is_passing(const std::string& name) {
          name.starts_with("program_") || name.starts_with("version_");
 }
 
-std::string value_of(const std::map<std::string, std::string>& settings, const std::string& name) {
-  const auto at = settings.find(name);
-  return at == settings.end() ? kAbsent : at->second;
-}
-
 double leading_number(const std::string& text) {
   double number = 0;  // stays 0 where there is none
   std::from_chars(text.data(), text.data() + text.size(), number);
@@ -69,15 +64,16 @@ std::string load_of_other_work(const std::vector<EnvironmentEntry>& environment,
 }
 
 std::vector<EnvironmentChange> environment_changes(const Results& base, const Results& now) {
-  const auto before = lasting_settings(base.environment);
-  const auto after = lasting_settings(now.environment);
-  std::set<std::string> names;
-  for (const auto& entry : before) names.insert(entry.first);
-  for (const auto& entry : after) names.insert(entry.first);
+  std::map<std::string, EnvironmentChange> settings;
+  for (const auto& [name, value] : lasting_settings(base.environment)) {
+    settings[name] = {name, value, kAbsent};
+  }
+  for (const auto& [name, value] : lasting_settings(now.environment)) {
+    settings.try_emplace(name, EnvironmentChange{name, kAbsent, ""}).first->second.now = value;
+  }
   std::vector<EnvironmentChange> changes;
-  for (const std::string& name : names) {
-    const std::string old_value = value_of(before, name), new_value = value_of(after, name);
-    if (old_value != new_value) changes.push_back({name, old_value, new_value});
+  for (const auto& [name, change] : settings) {
+    if (change.differs()) changes.push_back(change);
   }
   const std::string busy_before = busy(base), busy_after = busy(now);
   if (!busy_before.empty() || !busy_after.empty()) {

@@ -22,7 +22,6 @@ double log_n(std::int64_t n) { return std::log(static_cast<double>(n)); }
 /// One family in one quantity.
 struct FamilyLine {
   const SectionCurve* curve = nullptr;
-  const ScalingEntry* entry = nullptr;
   std::vector<SizeSample> sizes;
 };
 
@@ -68,7 +67,7 @@ Figure figure_of(const TableMaker& make, std::size_t setting, Quantity quantity)
     const ScalingEntry* entry = curve.growth(quantity);
     if (entry == nullptr || entry->reason == kUntimed) continue;
     figure.lines.push_back(
-        {&curve, entry, curve.is_collection ? binned(entry->all, figure.order) : entry->all});
+        {&curve, curve.is_collection ? binned(entry->all, figure.order) : entry->all});
   }
   return figure;
 }
@@ -166,7 +165,7 @@ void add_volume_bands(TableMaker& make) {
     const Figure figure = figure_of(make, i, Quantity::volume);
     std::map<std::int64_t, std::array<std::vector<double>, 3>> bands;
     for (const FamilyLine& line : figure.lines) {
-      for (const SizeSample& size : line.entry->all) {
+      for (const SizeSample& size : line.curve->growth(Quantity::volume)->all) {
         auto& [least, drawn, most] = bands[std::max<std::int64_t>(1, size.requested_n)];
         drawn.push_back(figure.middle(size));
         if (!std::isnan(size.log_bound)) most.push_back(figure.over(size, size.log_bound));

@@ -111,10 +111,12 @@ void add_exponents(TableMaker& make) {
         low = std::fmin(low, told.low), high = std::fmax(high, told.high);
       }
       if (std::ranges::count(labels, 0U) == 4) continue;
-      const bool is_own = quantity == Quantity::volume && section.has_own_unit;
-      table.add({i, name_of(quantity), is_own ? "vertex distances³" : unit_of(quantity),
-                 order_of(section, quantity), least, largest, low, high, labels[0], labels[1],
-                 labels[2], labels[3], is_untimed});
+      const char* const unit = quantity == Quantity::wall_s         ? "s"
+                               : quantity == Quantity::longest_side ? "lattice units"
+                               : section.has_own_unit               ? "vertex distances³"
+                                                                    : "lattice points";
+      table.add({i, name_of(quantity), unit, order_of(section, quantity), least, largest, low, high,
+                 labels[0], labels[1], labels[2], labels[3], is_untimed});
     }
   }
 }

@@ -15,11 +15,6 @@ const char* name_of(Quantity quantity) {
   return kNames[static_cast<std::size_t>(quantity)];
 }
 
-const char* unit_of(Quantity quantity) {
-  if (quantity == Quantity::wall_s) return "s";
-  return quantity == Quantity::volume ? "lattice points" : "lattice units";
-}
-
 double log_bound(const DrawnGraph& graph, Quantity quantity) {
   const auto& bound = graph.theorem_bound;
   const auto axis =

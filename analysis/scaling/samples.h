@@ -11,8 +11,6 @@ namespace ar3d {
 
 /// Returns "longest side", "x extent", …, "volume", "drawing time"
 const char* name_of(Quantity quantity);
-/// Returns "lattice units", "unit cells", "s"
-const char* unit_of(Quantity quantity);
 
 /// Returns the natural logarithm of the theorem's bound on the quantity; missing for times and
 /// where the graph has no bound.
