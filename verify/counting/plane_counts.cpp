@@ -110,7 +110,7 @@ std::size_t PlaneMeetings::bin_of(const PlaneRecord& record) const {
   return record.plane * (window_.count << bucket_bits_) >> bin_shift_;  // modulo 2^32
 }
 
-void PlaneMeetings::into_bins(std::size_t bucket, Bins& bins) const {
+void PlaneMeetings::into_bins(std::size_t bucket, BucketBins& bins) const {
   bins.bounds.assign((std::size_t{1} << (32 - bin_shift_)) + 2, 0);
   buckets_.for_each(bucket, [&](const PlaneRecord& r) { ++bins.bounds[bin_of(r) + 2]; });
   bins.largest = *std::max_element(bins.bounds.begin(), bins.bounds.end());
@@ -145,7 +145,7 @@ void PlaneMeetings::count_crowded() {
 }
 
 /// All pairs of one direction that lie on a line.
-void PlaneMeetings::count_lines(const Bins& bins) {
+void PlaneMeetings::count_lines(const BucketBins& bins) {
   for (std::size_t bin = 0; bin < bins.size(); ++bin) {
     const Records records = bins[bin];
     if (records.size() > sizes_.crowded) {

@@ -119,7 +119,7 @@ class PlaneMeetings {
  private:
   using Records = std::span<const PlaneRecord>;
   /// The records of one bucket; those of each bin stand together.
-  struct Bins {
+  struct BucketBins {
     std::vector<PlaneRecord> records;
     std::vector<std::uint32_t> bounds;  ///< of each bin in it
     std::uint32_t largest = 0;          ///< records in one bin
@@ -131,10 +131,10 @@ class PlaneMeetings {
 
   void count_bucket(std::size_t bucket);
   std::size_t bin_of(const PlaneRecord& record) const;
-  void into_bins(std::size_t bucket, Bins& bins) const;
+  void into_bins(std::size_t bucket, BucketBins& bins) const;
   void count_crossings(std::size_t bucket);
   void count_crowded();
-  void count_lines(const Bins& bins);
+  void count_lines(const BucketBins& bins);
 
   CountingSizes sizes_;
   PlaneWindow window_;
@@ -142,8 +142,8 @@ class PlaneMeetings {
   MeetingCounts counts_;
   unsigned bucket_bits_ = 0;
   unsigned bin_shift_ = 0;
-  RecordBuckets buckets_;     ///< of rows and columns in turns
-  std::array<Bins, 2> bins_;  ///< of rows, of columns
+  RecordBuckets buckets_;           ///< of rows and columns in turns
+  std::array<BucketBins, 2> bins_;  ///< of rows, of columns
   CrowdedPlanes crowded_;
 };
 

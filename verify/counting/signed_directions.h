@@ -12,8 +12,8 @@
 namespace ar3d::verify {
 
 /// Directions numbered in the order in which they are added, up to the limits of the proof by
-/// counting; others get no number. A direction and its opposite share an
-/// index; an id is 2 * index, plus 1 for the opposite sense.
+/// counting. A direction and its opposite share an index; an id is 2 * index, plus 1 for the
+/// opposite sense.
 class SignedDirections {
  public:
   static constexpr std::size_t kMaxIndices = 16;
