@@ -13,7 +13,6 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/measure/processes.h"
@@ -42,7 +41,6 @@ struct CompareArguments {
   std::string json;
   std::string markdown;
   bool force = false;
-  bool quiet = false;
   CompareOptions options;
 };
 
@@ -66,10 +64,9 @@ int report_verdict(const CompareArguments& arguments, const Comparison& comparis
     if (is_on_stdout) say("{}", text);
     if (!is_on_stdout) write_file_atomically(arguments.markdown, text);
   }
-  if (!is_on_stdout) say("{}", summary(comparison, arguments.options));
+  if (!is_on_stdout && !manner.json) say("{}", summary(comparison, arguments.options));
   if (!arguments.json.empty()) {
-    write_file_atomically(arguments.json,
-                          comparison_json(comparison, arguments.options, calibration));
+    write_json(arguments.json, comparison_json(comparison, arguments.options, calibration));
   }
   return comparison.exit_code();
 }
@@ -86,8 +83,8 @@ int compare_files(const CompareArguments& arguments) {
   const std::string base_path = arguments.reference ? reference_for(now) : arguments.files.front();
   const Results base = read_results(base_path);
   std::FILE* const to = arguments.markdown == "-" ? stderr : stdout;
-  say(to, "base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),
-      now.created);
+  note(to, "base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),
+       now.created);
   return report_verdict(arguments, compare(base, now, arguments.options), nullptr);
 }
 
@@ -129,7 +126,7 @@ std::optional<Comparison> take_turns(const std::string& base, const StudySpec& s
 int compare_builds(const CompareArguments& arguments) {
   if (!arguments.files.empty()) throw InputError("--base and --calibrate take no results files");
   const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
-  std::FILE* progress = arguments.quiet ? nullptr : stderr;
+  std::FILE* progress = manner.quiet ? nullptr : stderr;
   const StudySpec spec = load_study(arguments.study);
   for (const std::string& output : {arguments.json, arguments.markdown}) {
     if (!output.empty() && output != "-") require_writable(output);
@@ -150,8 +147,8 @@ int compare_builds(const CompareArguments& arguments) {
     std::vector<std::vector<double>> ratios;
     for (const CellComparison& cell : comparison->cells) ratios.push_back(cell.log_ratios);
     calibration = calibrate(ratios, arguments.options.time);
-    say(arguments.markdown == "-" ? stderr : stdout, "{}",
-        summary(calibration, arguments.options.time));
+    note(arguments.markdown == "-" ? stderr : stdout, "{}",
+         summary(calibration, arguments.options.time));
   }
   if (base) {
     options.count = spec.count && counting_problem().empty();
@@ -188,12 +185,13 @@ void add_options(CLI::App& verb, CompareArguments& a) {
   verb.add_flag("--time-always", a.options.time_always, "judge times of unlike environments too");
   verb.add_flag("--drawings-only", a.options.drawings_only,
                 "judge status, certificate, graph, volume, bends and instructions, and no times");
-  verb.add_option("--json", a.json, "also write the verdict as JSON to this file");
+  verb.add_option(
+      "--json", a.json,
+      "also write the verdict as JSON to this file; -: to standard output instead of the text");
   verb.add_option("--markdown", a.markdown,
                   "also write the verdict as Markdown to this file; -: to standard output instead "
                   "of the text");
   add_force(verb, a.force);
-  verb.add_flag("-q,--quiet", a.quiet, "no progress on standard error");
 }
 
 }  // namespace
@@ -210,8 +208,9 @@ void add_compare(CLI::App& app, int& exit_code) {
       "ar3d compare before.h5 after.h5\n         ar3d compare --base main "
       "--calibrate");
   verb->callback([arguments, &exit_code] {
-    if (arguments->json == "-") {
-      throw InputError("--json - : the verdict as JSON is written to a file");
+    manner.json = arguments->json == "-";
+    if (manner.json && arguments->markdown == "-") {
+      throw InputError("--json - and --markdown - : standard output takes one of them");
     }
     refuse_unsafe_outputs({.inputs = arguments->files,
                            .outputs = {arguments->json, arguments->markdown},

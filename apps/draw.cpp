@@ -12,7 +12,6 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
@@ -78,8 +77,8 @@ const Drawer& drawer_of(const Graph& graph, std::vector<Drawer>& drawers,
   const auto drawer = std::ranges::find_if(drawers, draws);
   if (drawer == drawers.end()) return drawers.back();
   if (!drawer->is_told) {
-    say(stderr, "ar3d: {}: degree {}, drawn with {}; --algorithm says otherwise\n",
-        printable(where), graph.max_degree(), drawer->algorithm.name);
+    note(stderr, "ar3d: {}: degree {}, drawn with {}; --algorithm says otherwise\n",
+         printable(where), graph.max_degree(), drawer->algorithm.name);
     drawer->is_told = true;
   }
   return *drawer;

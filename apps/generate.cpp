@@ -13,7 +13,6 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
-#include "ar3d/base/say.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/generators/catalog.h"
@@ -89,8 +88,8 @@ void generate_graphs(const GenerateArguments& arguments) {
     const Graph graph =
         generate(*request.family, request.n, arguments.seed + i, request.parameters);
     if (i == 0 && graph.num_vertices() != request.n) {
-      say(stderr, "ar3d: {} has no graph with {} vertices for these parameters: this has {}\n",
-          arguments.family, request.n, graph.num_vertices());
+      note(stderr, "ar3d: {} has no graph with {} vertices for these parameters: this has {}\n",
+           arguments.family, request.n, graph.num_vertices());
     }
     write(graph);
     file.flush_if_full();

@@ -14,7 +14,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/compare/commits.h"
 #include "commands.h"
 #include "options.h"
@@ -161,15 +160,17 @@ int add_results(const HistoryArguments& arguments) {
     throw InputError(fmt::format("cannot create {}: {}", arguments.folder, error.message()));
   }
   copy_file(arguments.results, path);
-  say("added    {}\n", path);
+  if (manner.json) print_json({{"added", path}});
+  note(stdout, "added    {}\n", path);
   return kPass;
 }
 
 int report_history(const HistoryArguments& arguments) {
   const std::string page =
       arguments.output.empty() ? arguments.folder + "/history.html" : arguments.output;
+  manner.json = arguments.json == "-";
   refuse_unsafe_outputs({.inputs = results_files(arguments.folder),
-                         .outputs = {arguments.json},
+                         .outputs = {manner.json ? "" : arguments.json},
                          .page = page,
                          .page_is = "<title>ar3d history: ",
                          .force = arguments.force,
@@ -186,12 +187,13 @@ int report_history(const HistoryArguments& arguments) {
   rule.time.threshold = arguments.threshold_percent / 100;
   const History history = read_history(arguments.folder, rule);
   for (const std::string& output : {page, arguments.json}) {
-    if (!output.empty()) require_writable(output);
+    if (!output.empty() && output != "-") require_writable(output);
   }
   const std::vector<Table> tables = history_tables(history, arguments.folder);
   write_file_atomically(page, render_page("history", arguments.folder, tables));
-  if (!arguments.json.empty()) write_file_atomically(arguments.json, tables_json(tables));
-  say("{}page     {}\n", summary(history), page);
+  if (!arguments.json.empty()) write_json(arguments.json, tables_json(tables));
+  if (!manner.json) say("{}", summary(history));
+  note(stdout, "page     {}\n", page);
   for (const HistoryLine& line : history.lines) {
     if (line.is_judged) return kPass;
   }
@@ -212,6 +214,7 @@ void add_add(CLI::App& history, int& exit_code) {
   verb->add_option("--name", arguments->name,
                    "of the release, say v1.2; the first digits of the commit if left out")
       ->check([](const std::string& name) { return std::string(name.empty() ? "is empty" : ""); });
+  add_json(*verb);
   add_force(*verb, arguments->force);
   verb->footer("Example: ar3d study run regression -o now.h5; ar3d history add now.h5");
   verb->callback([arguments, &exit_code] { exit_code = add_results(*arguments); });
@@ -224,7 +227,8 @@ void add_history_report(CLI::App& history, int& exit_code) {
   verb->add_option("--folder", arguments->folder, "where the history is");
   verb->add_option("-o,--output", arguments->output, "HTML file; FOLDER/history.html if left out");
   verb->add_option("--json", arguments->json,
-                   "also write all tables of the page as JSON to this file");
+                   "also write all tables of the page as JSON to this file; -: to standard output "
+                   "instead of the text");
   verb->add_option("--threshold", arguments->threshold_percent, "percent of time that matter")
       ->check(number_between(0.1, 1000));
   add_force(*verb, arguments->force);

@@ -12,7 +12,7 @@
 #include "ar3d/analysis/replay.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
-#include "ar3d/base/say.h"
+#include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/search/trial.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
@@ -22,6 +22,8 @@
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"
+#include "study.h"
+#include "view.h"
 
 namespace ar3d {
 namespace {
@@ -29,7 +31,7 @@ namespace {
 /// Which drawings, which share of which bound, and where the exhibit goes.
 struct HuntArguments {
   std::string algorithm;
-  std::vector<std::string> settings;  // of the algorithm
+  std::vector<std::string> settings;  // of the algorithm; of `hunt`, at first, of the family, too
   std::string study;                  // whose program the algorithm may be
   std::string seeded_fault;
   std::string measure = "side";
@@ -37,6 +39,7 @@ struct HuntArguments {
   std::string output;
   bool force = false;
   std::vector<std::string> inputs;  // graphs to hunt from, or the one to shrink
+  std::string row;                  // given: the input is a results file, and its graph is meant
   GraphInput reading;               // of it
   std::string family = "all";       // of `hunt`, as the next two
   std::vector<std::string> parameters;
@@ -78,12 +81,11 @@ std::string replay_lines(const Trial& trial, const HuntArguments& arguments) {
 }
 
 void add_subject_options(CLI::App& verb, HuntArguments& arguments) {
-  verb.add_option("--algorithm", arguments.algorithm, "an algorithm of `ar3d list algorithms`")
-      ->required();
+  verb.add_option(
+      "--algorithm", arguments.algorithm,
+      "an algorithm of `ar3d list algorithms`; that of ROW, as it was set, if left out");
   verb.add_option("--study", arguments.study,
                   "a specification whose [[algorithm]] the algorithm may be: a program of yours");
-  add_repeated(verb, "--set", arguments.settings,
-               "an option of the algorithm, name=integer; may be repeated");
   verb.add_option("--measure", arguments.measure,
                   "whose share of the bound counts: x, y, z, side (the largest of them) or volume")
       ->check(one_of({"side", "x", "y", "z", "volume"}));
@@ -92,6 +94,7 @@ void add_subject_options(CLI::App& verb, HuntArguments& arguments) {
   verb.add_option("--seeded-fault", arguments.seeded_fault,
                   "breaks the drawings on purpose, to see that it is found: wrong-bend or "
                   "passed-bound");
+  add_json(verb);
   add_force(verb, arguments.force);
 }
 
@@ -122,8 +125,42 @@ void refuse_unsafe_exhibit(const HuntArguments& arguments) {
        .force = arguments.force});
 }
 
+/// The graph of the row; its algorithm, with options, is the subject unless one is given.
+/// @throws InputError as replay.
+Graph graph_of_row(HuntArguments& arguments) {
+  const Results results = read_results(arguments.inputs[0]);
+  const RunRecord& row = find_row(results, arguments.row, arguments.inputs[0]);
+  if (arguments.algorithm.empty()) {
+    arguments.algorithm = row.algorithm;
+    for (const Setting& option : parse_settings(row.options)) {
+      const auto is_it = [&](const std::string& set) { return set.starts_with(option.name + "="); };
+      if (std::ranges::any_of(arguments.settings, is_it)) continue;
+      arguments.settings.push_back(settings_text({option}));
+    }
+  }
+  return graph_of(plan_of_row(row, study_origin(results)));
+}
+
+/// Gives to the family what of --set names a parameter of it and no option of the algorithm.
+void sort_settings(HuntArguments& arguments) {
+  const Algorithm* const algorithm = known_algorithm(arguments.algorithm);
+  const auto family = std::ranges::find(families(), arguments.family, &Family::name);
+  if (family == families().end()) return;
+  std::erase_if(arguments.settings, [&](const std::string& setting) {
+    const auto is_it = [&](const SettingSpec& spec) {
+      return setting.starts_with(spec.name + "=");
+    };
+    const bool is_parameter =
+        std::ranges::any_of(family->parameters, is_it) &&
+        (algorithm == nullptr || std::ranges::none_of(algorithm->options, is_it));
+    if (is_parameter) arguments.parameters.push_back(setting);
+    return is_parameter;
+  });
+}
+
 /// @throws InputError naming what is unknown.
 Subject subject_of(const HuntArguments& arguments) {
+  if (arguments.algorithm.empty()) throw InputError("--algorithm is required");
   const StudySpec spec = arguments.study.empty() ? StudySpec() : load_study(arguments.study);
   Subject subject;
   subject.choice = algorithm_choice(spec, arguments.algorithm, parse_settings(arguments.settings));
@@ -143,6 +180,18 @@ RatioRule rule_of(const HuntArguments& arguments) {
   }
   if (arguments.against == "instance") rule.against = Against::instance;
   return rule;
+}
+
+nlohmann::ordered_json trial_json(const Trial& trial, const HuntArguments& arguments) {
+  return {{"n", trial.graph.num_vertices()},
+          {"m", trial.graph.num_edges()},
+          {"extents", trial.extents},
+          {"bound", trial.bound},
+          {"measure", arguments.measure},
+          {"against", arguments.against},
+          {"ratio", trial.ratio},
+          {"failure", trial.failure},
+          {"message", trial.message}};
 }
 
 /// "extent x 12 of 16 (75.0 %), …; ratio 0.75", and the failure if there is one.
@@ -179,11 +228,13 @@ void write_exhibit(const Subject& subject, const Trial& trial, const HuntArgumen
   }
   const std::string lines = replay_lines(trial, arguments);
   write_file_atomically(prefix + ".txt", trial_text(trial, arguments) + lines);
-  say("wrote {}.txt and what it names\n{}", prefix, lines);
+  note(stdout, "wrote {}.txt and what it names\n{}", prefix, lines);
 }
 
+/// @param of_row  the graph of the row, if one is given.
 std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
-                                          const Algorithm& algorithm) {
+                                          const Algorithm& algorithm,
+                                          const std::optional<Graph>& of_row) {
   if (!arguments.inputs.empty()) {
     CorpusOptions options;
     options.reading = arguments.reading.read_options();
@@ -191,12 +242,19 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
     for (const std::string& path : arguments.inputs) {
       files.push_back({path, arguments.inputs.size() == 1 ? "" : path, ""});
     }
+    if (of_row) {
+      std::string line;
+      append_sparse6(line, *of_row);
+      line.pop_back();
+      files[0].held = std::make_shared<const HeldFile>(
+          HeldFile{{.name = {}, .file = {}, .group = {}, .hash = {}, .graphs = 1}, {{0, line}}});
+    }
     const auto graphs =
         named_corpus(files.size() == 1 ? files[0].path : fmt::format("{} files", files.size()),
                      std::make_shared<const Corpus>(files, options));
     return {{&graphs->family, {}, graphs}};
   }
-  if (arguments.family == "all" && arguments.parameters.empty()) {
+  if (arguments.family == "all") {
     return fitting_families(algorithm, arguments.hunting.n);
   }
   const Family& family = find_family(arguments.family);
@@ -205,23 +263,33 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
 
 int hunt_and_show(HuntArguments arguments) {
   refuse_unsafe_exhibit(arguments);
+  std::optional<Graph> of_row;
+  if (!arguments.row.empty()) of_row = graph_of_row(arguments);
+  sort_settings(arguments);
   const Subject subject = subject_of(arguments);
-  arguments.hunting.families = chosen_families(arguments, *subject.choice.algorithm);
+  arguments.hunting.families = chosen_families(arguments, *subject.choice.algorithm, of_row);
   const HuntResult result =
       hunt(subject, rule_of(arguments), arguments.hunting, [](const HuntResult& so_far) {
-        say(stderr, "{:>8} graphs: {:.4f} from {}\n", so_far.evaluations, so_far.best.ratio,
-            so_far.start.family->name);
+        note(stderr, "{:>8} graphs: {:.4f} from {}\n", so_far.evaluations, so_far.best.ratio,
+             so_far.start.family->name);
       });
-  say("{} graphs drawn and certified, {} starts; the best one comes from {} {}\n",
-      result.evaluations, result.starts, result.start.family->name,
-      result.start.corpus && arguments.inputs.size() > 1
+  const std::string which =
+      !arguments.row.empty() ? "row " + arguments.row
+      : result.start.corpus && arguments.inputs.size() > 1
           ? fmt::format("({})", result.start.corpus->graphs->graph_name(result.start_place))
       : result.start.corpus ? fmt::format("graph {}", result.start_place)
-                            : fmt::format("with seed {}", result.start_seed));
-  say("{}", trial_text(result.best, arguments));
+                            : fmt::format("with seed {}", result.start_seed);
+  nlohmann::ordered_json json = trial_json(result.best, arguments);
+  json.update({{"evaluations", result.evaluations},
+               {"starts", result.starts},
+               {"from", result.start.family->name},
+               {"start", which}});
+  tell(json, "{} graphs drawn and certified, {} starts; the best one comes from {} {}\n{}",
+       result.evaluations, result.starts, result.start.family->name, which,
+       trial_text(result.best, arguments));
   if (!arguments.output.empty()) {
     write_exhibit(subject, result.best, arguments);
-    say("{}\n", shrink_line(result.best, arguments));
+    note(stdout, "{}\n", shrink_line(result.best, arguments));
   }
   return result.best.failure.empty() ? kPass : kViolated;
 }
@@ -235,11 +303,13 @@ Graph only_graph(const std::string& path, const ReadOptions& options) {
   return *graph;
 }
 
-int shrink_and_show(const HuntArguments& arguments) {
+int shrink_and_show(HuntArguments arguments) {
   refuse_unsafe_exhibit(arguments);
+  const Graph graph = arguments.row.empty()
+                          ? only_graph(arguments.inputs[0], arguments.reading.read_options())
+                          : graph_of_row(arguments);
   const Subject subject = subject_of(arguments);
   const RatioRule rule = rule_of(arguments);
-  const Graph graph = only_graph(arguments.inputs[0], arguments.reading.read_options());
   const Trial whole = try_graph(subject, rule, graph);
   const bool keeps_failure = !arguments.ratio;
   if (keeps_failure && whole.failure.empty()) {
@@ -258,11 +328,13 @@ int shrink_and_show(const HuntArguments& arguments) {
       },
       arguments.most_drawings);
   const Trial least = try_graph(subject, rule, result.graph);
-  say("{} of {} vertices and {} of {} edges are left after {} drawings{}\n",
-      result.graph.num_vertices(), graph.num_vertices(), result.graph.num_edges(),
-      graph.num_edges(), result.evaluations,
-      result.minimal ? "; none can go" : "; the evaluations ran out");
-  say("{}", trial_text(least, arguments));
+  nlohmann::ordered_json json = trial_json(least, arguments);
+  json.update({{"evaluations", result.evaluations}, {"minimal", result.minimal}});
+  tell(json, "{} of {} vertices and {} of {} edges are left after {} drawings{}\n{}",
+       result.graph.num_vertices(), graph.num_vertices(), result.graph.num_edges(),
+       graph.num_edges(), result.evaluations,
+       result.minimal ? "; none can go" : "; the evaluations ran out",
+       trial_text(least, arguments));
   write_exhibit(subject, least, arguments);
   return least.failure.empty() ? kPass : kViolated;
 }
@@ -275,17 +347,27 @@ void add_hunt(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<HuntArguments>();
   add_subject_options(*verb, *arguments);
   HuntOptions& options = arguments->hunting;
-  verb->add_option("--family", arguments->family,
-                   "where searches start: a family, or all that the algorithm draws");
-  add_repeated(*verb, "--parameter", arguments->parameters,
-               "a parameter of the family, name=integer; may be repeated");
-  verb->add_option("-n", options.n, "requested number of vertices")->check(whole_number(1, 100000));
+  add_repeated(*verb, "--set,--parameter", arguments->settings,
+               "an option of the algorithm or a parameter of the family, name=integer; may be "
+               "repeated");
+  CLI::Option* const family =
+      verb->add_option("--family", arguments->family,
+                       "where searches start: a family, or all that the algorithm draws");
+  CLI::Option* const size = verb->add_option("-n", options.n, "requested number of vertices")
+                                ->check(whole_number(1, 100000));
   CLI::Option* const graphs =
       add_repeated(*verb, "--graphs", arguments->inputs,
                    "search from the graphs of this file instead; may be repeated")
-          ->excludes(verb->get_option("--family"))
-          ->excludes(verb->get_option("--parameter"))
-          ->excludes(verb->get_option("-n"));
+          ->excludes(family)
+          ->excludes(size);
+  CLI::Option* const results =
+      verb->add_option_function<std::string>(
+              "RESULTS", [arguments](const std::string& path) { arguments->inputs = {path}; },
+              "search from the graph of a row instead")
+          ->excludes(graphs)
+          ->excludes(family)
+          ->excludes(size);
+  results->needs(verb->add_option("ROW", arguments->row, "its key, or its number from 0"));
   add_graph_input_options(*verb, arguments->reading);
   for (const char* name : {"--from", "--base", "--first-line", "--undirected", "--trust-sizes"}) {
     verb->get_option(name)->needs(graphs);
@@ -301,7 +383,8 @@ void add_hunt(CLI::App& app, int& exit_code) {
                    "prefix of the files that show the best one: .s6, .jsonl, .svg, .txt");
   verb->footer(
       "Exit code 4 if a drawing is violated.\n"
-      "Example: ar3d hunt --algorithm diamond -n 40 --evaluations 5000 --measure z -o tall");
+      "Example: ar3d hunt --algorithm diamond -n 40 --evaluations 5000 --measure z -o tall\n"
+      "         ar3d hunt smoke.h5 0");
   verb->callback([arguments, &exit_code] { exit_code = hunt_and_show(*arguments); });
 }
 
@@ -309,9 +392,13 @@ void add_shrink(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "shrink", "Reduces a graph whose drawing is violated or extreme while it stays so");
   const auto arguments = std::make_shared<HuntArguments>();
-  verb->add_option("GRAPH", arguments->inputs, "one graph in any input format")
-      ->required()
-      ->expected(1);
+  verb->add_option_function<std::string>(
+          "GRAPH", [arguments](const std::string& path) { arguments->inputs = {path}; },
+          "one graph in any input format, or with ROW a results file")
+      ->required();
+  verb->add_option("ROW", arguments->row, "the graph of this row: its key, or its number from 0");
+  add_repeated(*verb, "--set", arguments->settings,
+               "an option of the algorithm, name=integer; may be repeated");
   add_graph_input_options(*verb, arguments->reading);
   add_subject_options(*verb, *arguments);
   verb->add_option("--ratio", arguments->ratio,

@@ -8,7 +8,6 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/generators/catalog.h"
@@ -86,74 +85,51 @@ nlohmann::ordered_json algorithm_json(const Algorithm& row) {
   return json;
 }
 
-/// The catalogues by their names; of them only `what` unless that is "all".
-nlohmann::ordered_json list_json(const std::string& what) {
-  nlohmann::ordered_json json;
-  const auto add = [&](const char* name, const auto& rows, const auto& object) {
-    if (what != "all" && what != name) return;
-    json[name] = nlohmann::ordered_json::array();
-    for (const auto& row : rows) json[name].push_back(object(row));
-  };
+/// Prints the catalogues, or of them only `what`.
+void print_list(const std::string& what) {
   using Object = nlohmann::ordered_json;
-  add("algorithms", algorithms(), algorithm_json);
-  add("families", families(), [](const Family& row) {
+  Object all;
+  const auto show = [&](const char* name, const char* title, const auto& rows, const auto& object,
+                        const auto& print) {
+    if (what != "all" && what != name) return;
+    if (manner.json) all[name] = Object::array();
+    if (what == "all" && !manner.json) say("\n== {} ==\n", title);
+    for (const auto& row : rows) {
+      if (manner.json) all[name].push_back(object(row));
+      if (!manner.json) print(row);
+    }
+  };
+  const auto name_and_summary = [](const auto& row) {
+    return Object{{"name", row.name}, {"summary", row.summary}};
+  };
+  const auto print_both = [](const auto& row) { say("{}: {}\n", row.name, row.summary); };
+  show("algorithms", "algorithms", algorithms(), algorithm_json, print_algorithm);
+  const auto family_json = [](const Family& row) {
     return Object{{"name", row.name},
                   {"summary", row.summary},
                   {"max_degree", row.max_degree},
                   {"is_random", row.is_random},
                   {"parameters", settings_json(row.parameters)}};
-  });
-  add("named-graphs", named_graphs(), [](const NamedGraph& row) {
+  };
+  show("families", "families", families(), family_json, print_family);
+  const auto named_json = [](const NamedGraph& row) {
     return Object{{"name", row.name}, {"n", row.num_vertices}, {"summary", row.summary}};
-  });
-  const auto name_and_summary = [](const auto& row) {
-    return Object{{"name", row.name}, {"summary", row.summary}};
   };
-  add("formats", graph_formats(), name_and_summary);
-  add("metrics", metrics(), [](const Metric& row) {
+  show("named-graphs", "named graphs (family `named`, --set index=NUMBER)", named_graphs(),
+       named_json, [](const NamedGraph& row) {
+         say("{:2} {} (n = {}): {}\n", &row - named_graphs().data(), row.name, row.num_vertices,
+             row.summary);
+       });
+  show("formats", "formats", graph_formats(), name_and_summary, print_both);
+  const auto metric_json = [](const Metric& row) {
     return Object{{"name", row.name}, {"summary", row.definition}, {"unit", row.unit}};
-  });
-  add("studies", named_studies(), [](const NamedStudy& row) {
-    return Object{{"name", row.name}, {"summary", row.description}};
-  });
-  return json;
-}
-
-void print_list(const std::string& what) {
-  const auto wanted = [&](const char* name) { return what == "all" || what == name; };
-  const auto title = [&](const char* text) {
-    if (what == "all") say("\n== {} ==\n", text);
   };
-  if (wanted("algorithms")) {
-    title("algorithms");
-    for (const Algorithm& row : algorithms()) print_algorithm(row);
-  }
-  if (wanted("families")) {
-    title("families");
-    for (const Family& row : families()) print_family(row);
-  }
-  if (wanted("named-graphs")) {
-    title("named graphs (family `named`, --set index=NUMBER)");
-    std::size_t index = 0;
-    for (const NamedGraph& row : named_graphs()) {
-      say("{:2} {} (n = {}): {}\n", index++, row.name, row.num_vertices, row.summary);
-    }
-  }
-  if (wanted("formats")) {
-    title("formats");
-    for (const GraphFormat& row : graph_formats()) say("{}: {}\n", row.name, row.summary);
-  }
-  if (wanted("metrics")) {
-    title("metrics");
-    for (const Metric& row : metrics()) {
-      say("{}: {} ({}, {})\n", row.name, row.definition, row.unit,
-          row.type == MetricType::int64 ? "int64" : "float64");
-    }
-  }
-  if (wanted("studies")) {
-    title("studies");
-    for (const NamedStudy& row : named_studies()) say("{}: {}\n", row.name, row.description);
-  }
+  show("metrics", "metrics", metrics(), metric_json, [](const Metric& row) {
+    say("{}: {} ({}, {})\n", row.name, row.definition, row.unit,
+        row.type == MetricType::int64 ? "int64" : "float64");
+  });
+  show("studies", "studies", named_studies(), name_and_summary, print_both);
+  if (manner.json) print_json(all);
 }
 
 /// "8n", "16/3n", "12n^2", "726n^1/2+1800": an extent as a word that proof/promise.ml reads.
@@ -208,17 +184,11 @@ void add_list(CLI::App& app, int&) {
   verb->add_option("--promise", *promise,
                    "Only what this algorithm promises, as the options of ar3d_proved")
       ->excludes("WHAT");
-  const auto json = std::make_shared<bool>(false);
-  add_json(*verb, *json)->excludes("--promise");
+  add_json(*verb)->excludes("--promise");
   verb->footer("Example: ar3d list families");
-  verb->callback([what, promise, json] {
-    if (*json) {
-      print_json(list_json(*what));
-    } else if (promise->empty()) {
-      print_list(*what);
-    } else {
-      print_promise(find_algorithm(*promise));
-    }
+  verb->callback([what, promise] {
+    if (promise->empty()) return print_list(*what);
+    print_promise(find_algorithm(*promise));
   });
 }
 

@@ -8,7 +8,6 @@
 #include <charconv>
 
 #include "ar3d/base/nearest_name.h"
-#include "ar3d/base/say.h"
 
 namespace ar3d {
 
@@ -68,8 +67,8 @@ void add_threads_option(CLI::App& verb) {
       ->check(whole_number(1, 1024));
 }
 
-CLI::Option* add_json(CLI::App& verb, bool& json) {
-  return verb.add_flag("--json", json, "print one JSON object instead of text");
+CLI::Option* add_json(CLI::App& verb) {
+  return verb.add_flag("--json", manner.json, "print one JSON object instead of text");
 }
 
 void print_json(const nlohmann::ordered_json& json) {

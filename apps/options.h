@@ -2,11 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "ar3d/base/say.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/formats/graphs/graph_format.h"
 
@@ -31,10 +33,34 @@ CLI::Option* add_repeated(CLI::App& verb, const std::string& name, std::vector<s
 /// Adds --threads of verbs that work on many drawings at the same time, or on a large one with
 /// several threads.
 void add_threads_option(CLI::App& verb);
-/// Returns the flag --json of verbs that print: one JSON object instead of text.
-CLI::Option* add_json(CLI::App& verb, bool& json);
+
+/// Holds what -q, which every verb has, and --json ask of the verb that runs.
+struct Manner {
+  bool quiet = false;
+  bool json = false;
+};
+inline Manner manner;
+
+/// Returns the flag --json of verbs with a result: one JSON object instead of text.
+CLI::Option* add_json(CLI::App& verb);
 /// Prints it on one line, in ASCII: other characters are escaped, bytes that are no UTF-8 replaced.
 void print_json(const nlohmann::ordered_json& json);
+
+/// Says what is not in the JSON object: with -q nothing on standard error, with --json nothing on
+/// standard output.
+template <class... Values>
+void note(std::FILE* to, fmt::format_string<Values...> format, Values&&... values) {
+  if (to == stderr ? manner.quiet : manner.json) return;
+  say(to, format, std::forward<Values>(values)...);
+}
+
+/// Says a result: as text, or with --json as that object.
+template <class... Values>
+void tell(const nlohmann::ordered_json& json, fmt::format_string<Values...> format,
+          Values&&... values) {
+  if (manner.json) return print_json(json);
+  say(format, std::forward<Values>(values)...);
+}
 
 /// Adds the options of every verb that makes rows of a study.
 void add_making_options(CLI::App& verb, SessionPolicy& policy);

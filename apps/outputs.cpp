@@ -12,6 +12,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/spec/study_spec.h"
@@ -127,6 +128,11 @@ void refuse_unsafe_outputs(const VerbFiles& files) {
   }
 }
 
+void write_json(const std::string& path, const std::string& text) {
+  if (path == "-") return say("{}", text);
+  write_file_atomically(path, text);
+}
+
 void refuse_foreign_ending(const std::string& path, const std::vector<std::string>& own) {
   if (!is_file_name(path)) return;
   const std::string ending = path_ending(path);
@@ -145,7 +151,8 @@ void refuse_foreign_ending(const std::string& path, const std::vector<std::strin
 }
 
 std::vector<std::string> files_of_study(const StudyIdentity& identity, const std::string& results) {
-  const StudySpec spec = recorded_study(identity, results);
+  StudySpec spec = recorded_study(identity, results);
+  spec.own_files = own_files_of(results);
   std::vector<std::string> files = graph_files_of(spec);
   for (const auto& program : spec.programs) {
     for (const std::string& word : program->command) {

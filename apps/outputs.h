@@ -38,6 +38,9 @@ struct VerbFiles {
 /// @throws InputError naming the file and what it is.
 void refuse_unsafe_outputs(const VerbFiles& files);
 
+/// Writes to that file, or with "-" to standard output. @throws InputError
+void write_json(const std::string& path, const std::string& text);
+
 /// Refuses an ending that says another format than the file is written in.
 /// @param own  endings that fit, the first of them to be advised. @throws InputError naming both.
 void refuse_foreign_ending(const std::string& path, const std::vector<std::string>& own);

@@ -11,8 +11,8 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
-#include "ar3d/base/say.h"
 #include "commands.h"
+#include "options.h"
 #include "outputs.h"
 
 namespace ar3d {
@@ -59,7 +59,7 @@ int play(const PlayArguments& arguments) {
   std::ifstream in(page, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   write_file_atomically(arguments.output, text);
-  say("wrote {}\n", arguments.output);
+  note(stdout, "wrote {}\n", arguments.output);
   return kPass;
 }
 

@@ -22,10 +22,10 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/generators/catalog.h"
 #include "commands.h"
+#include "options.h"
 #include "view.h"
 
 namespace {
@@ -67,13 +67,13 @@ std::string nearest_word(const CLI::App& verb, const std::string& word) {
   return ar3d::did_you_mean(word.substr(0, word.find('=')), {names.begin(), names.end()});
 }
 
-/// Is that the name of an algorithm's option (--set) or of a family's parameter (--parameter, which
-/// `generate` also calls --set)?
-bool is_setting(const CLI::Option& option, const std::string& name) {
+/// Is that the name of an algorithm's option, or of a family's parameter where --set is also called
+/// --parameter?
+bool is_setting(const CLI::App& verb, const CLI::Option& option, const std::string& name) {
   const auto has = [&](const std::vector<ar3d::SettingSpec>& settings) {
     return std::ranges::any_of(settings, [&](const auto& one) { return one.name == name; });
   };
-  return (option.check_lname("set") && !option.check_lname("parameter") &&
+  return (option.check_lname("set") && verb.get_option_no_throw("--algorithm") != nullptr &&
           std::ranges::any_of(ar3d::algorithms(), has, &ar3d::Algorithm::options)) ||
          (option.check_lname("parameter") &&
           std::ranges::any_of(ar3d::families(), has, &ar3d::Family::parameters));
@@ -90,7 +90,7 @@ std::string meant_by(const CLI::App& verb, const std::vector<std::string>& words
   const bool has_next = at != words.end() && at + 1 != words.end();
   const std::string value = equals < word.size() ? word.substr(equals + 1) : has_next ? at[1] : "…";
   for (const CLI::Option* option : verb.get_options()) {
-    if (is_setting(*option, name)) {
+    if (is_setting(verb, *option, name)) {
       return fmt::format("; did you mean '--{} {}={}'?", option->get_lnames().front(), name, value);
     }
   }
@@ -132,16 +132,19 @@ void add_help(CLI::App& app) {
   });
 }
 
-/// An empty list is no default to show, nor is -1, which stands for what is found out.
-void leave_out_empty_defaults(CLI::App& app) {
+/// Adds -q to every verb without its own. An empty list is no default to show, nor is -1, which stands for what is
+/// found out.
+void complete_verbs(CLI::App& app) {
+  const std::vector<CLI::App*> verbs = app.get_subcommands([](CLI::App*) { return true; });
+  if (verbs.empty() && app.get_name() != "help" && app.get_option_no_throw("-q") == nullptr) {
+    app.add_flag("-q,--quiet", ar3d::manner.quiet, "no progress or notes on standard error");
+  }
   for (CLI::Option* option : app.get_options()) {
     const std::string shown = option->get_default_str();
     if (shown == "[]" || shown == "-1") option->default_str("");
     if (shown == "[-]") option->default_str("-");
   }
-  for (CLI::App* sub : app.get_subcommands([](CLI::App*) { return true; })) {
-    leave_out_empty_defaults(*sub);
-  }
+  for (CLI::App* verb : verbs) complete_verbs(*verb);
 }
 
 int run(int argc, char** argv) {
@@ -153,6 +156,7 @@ int run(int argc, char** argv) {
   app.footer(kExamples);
   app.option_defaults()->always_capture_default();
   int exit_code = ar3d::kPass;
+  ar3d::manner = {};
   ar3d::register_program_formats();
   ar3d::add_list(app, exit_code);
   ar3d::add_generate(app, exit_code);
@@ -170,7 +174,7 @@ int run(int argc, char** argv) {
   ar3d::add_hunt(app, exit_code);
   ar3d::add_shrink(app, exit_code);
   add_help(app);
-  leave_out_empty_defaults(app);
+  complete_verbs(app);
   if (argc == 1) {
     ar3d::say(stderr, "{}", app.help());
     return ar3d::kUsage;

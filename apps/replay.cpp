@@ -10,7 +10,6 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/describe_study.h"
@@ -38,22 +37,6 @@ struct ReplayArguments {
   std::optional<std::string> keep;
 };
 
-/// The row with that key, or with that number from 0.
-const RunRecord& find_row(const Results& results, const ReplayArguments& arguments) {
-  for (const RunRecord& run : results.runs) {
-    if (run.row_key == *arguments.row) return run;
-  }
-  std::size_t number = 0;
-  const char* end = arguments.row->data() + arguments.row->size();
-  const auto parsed = std::from_chars(arguments.row->data(), end, number);
-  if (parsed.ec != std::errc() || parsed.ptr != end || number >= results.runs.size()) {
-    throw InputError(fmt::format("{}: no row '{}'; rows are 0..{} or row keys", arguments.results,
-                                 *arguments.row,
-                                 static_cast<std::int64_t>(results.runs.size()) - 1));
-  }
-  return results.runs[number];
-}
-
 void write_drawing(const RunRecord& row, const StudyOrigin& origin, const DrawingFormat& format,
                    const std::string& path) {
   const std::string where =
@@ -72,12 +55,15 @@ void refuse_changed_program(StudySpec spec, const RunRecord& row, const Results&
 }
 
 int replay_row(const ReplayArguments& arguments) {
+  if (manner.json && arguments.output == "-") {
+    throw InputError("--json and -o - : standard output takes one of them");
+  }
   refuse_unsafe_outputs({.inputs = {arguments.results, arguments.graphs},
                          .outputs = {arguments.output},
                          .force = arguments.force});
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   const Results results = read_results(arguments.results);
-  const RunRecord& then = find_row(results, arguments);
+  const RunRecord& then = find_row(results, *arguments.row, arguments.results);
   refuse_unsafe_outputs({.inputs = files_of_study(results, arguments.results),
                          .outputs = {arguments.output},
                          .force = arguments.force});
@@ -87,15 +73,21 @@ int replay_row(const ReplayArguments& arguments) {
   const RunRecord now = replayed(then, origin);
   if (!arguments.output.empty()) write_drawing(then, origin, format, arguments.output);
   const std::vector<std::string> differing = differing_columns(then, now);
-  std::FILE* const log = arguments.output == "-" ? stderr : stdout;  // never amid the drawing
-  say(log, "{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n, then.seed,
-      then.algorithm, then.options, to_string(now.status));
-  if (!now.message.empty() && now.message != then.message) {
-    say(log, "{}\n", printable(now.message));
+  if (manner.json) {
+    print_json({{"row_key", then.row_key},
+                {"status", to_string(now.status)},
+                {"message", now.message},
+                {"differing_columns", differing}});
   }
+  std::string text =
+      fmt::format("{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n,
+                  then.seed, then.algorithm, then.options, to_string(now.status));
+  if (!now.message.empty() && now.message != then.message) text += printable(now.message) + "\n";
   for (const std::string& column : differing)
-    say(log, "column {} differs from the recorded row\n", column);
-  if (differing.empty()) say(log, "every non-timing column is equal, bit for bit\n");
+    text += fmt::format("column {} differs from the recorded row\n", column);
+  if (differing.empty()) text += "every non-timing column is equal, bit for bit\n";
+  // Never amid the drawing.
+  if (!manner.json) say(arguments.output == "-" ? stderr : stdout, "{}", text);
   if (now.status == RunStatus::violated) return kViolated;
   return differing.empty() ? kPass : kRegression;
 }
@@ -113,19 +105,27 @@ int replay_rows(const ReplayArguments& arguments) {
   const std::vector<std::size_t> places = sample_of_rows(
       results.runs, arguments.all ? results.runs.size() : *arguments.sample, arguments.seed);
   if (results.source_hash != source_hash()) {
-    say(stderr, "ar3d: the rows were made by source {}, this is {}\n", results.source_hash,
-        source_hash());
+    note(stderr, "ar3d: the rows were made by source {}, this is {}\n", results.source_hash,
+         source_hash());
   }
   std::size_t done = 0;
-  const bool terminal = isatty(fileno(stderr)) == 1;
+  const bool terminal = isatty(fileno(stderr)) == 1 && !manner.quiet;
   const SelfCheck check = selfcheck(results.runs, places, study_origin(results), [&](std::size_t) {
     if (terminal) std::fprintf(stderr, "\r%zu of %zu rows made again", ++done, places.size());
   });
   if (terminal) say(stderr, "\n");
-  for (const IrreproducibleRow& row : check.irreproducible) print_irreproducible(results, row);
-  say("{} of {} rows made again: {} equal bit for bit, {} not, {} violated\n", check.replayed,
-      results.runs.size(), check.replayed - check.irreproducible.size(),
-      check.irreproducible.size(), check.violated);
+  nlohmann::ordered_json differing = nlohmann::ordered_json::array();
+  for (const IrreproducibleRow& row : check.irreproducible) {
+    differing.push_back({{"row", row.row}, {"columns", row.columns}});
+    if (!manner.json) print_irreproducible(results, row);
+  }
+  tell({{"rows", results.runs.size()},
+        {"replayed", check.replayed},
+        {"violated", check.violated},
+        {"differing", differing}},
+       "{} of {} rows made again: {} equal bit for bit, {} not, {} violated\n", check.replayed,
+       results.runs.size(), check.replayed - check.irreproducible.size(),
+       check.irreproducible.size(), check.violated);
   if (check.violated > 0) return kViolated;
   if (!check.irreproducible.empty()) return kRegression;
   return check.replayed > 0 ? kPass : kIncomplete;
@@ -143,6 +143,19 @@ int replay(const ReplayArguments& arguments) {
 }
 
 }  // namespace
+
+const RunRecord& find_row(const Results& results, const std::string& row, const std::string& path) {
+  const auto found = std::ranges::find(results.runs, row, &RunRecord::row_key);
+  if (found != results.runs.end()) return *found;
+  std::size_t number = 0;
+  const char* end = row.data() + row.size();
+  const auto parsed = std::from_chars(row.data(), end, number);
+  if (parsed.ec != std::errc() || parsed.ptr != end || number >= results.runs.size()) {
+    throw InputError(fmt::format("{}: no row '{}'; rows are 0..{} or row keys", path, row,
+                                 static_cast<std::int64_t>(results.runs.size()) - 1));
+  }
+  return results.runs[number];
+}
 
 void add_replay(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
@@ -169,6 +182,7 @@ void add_replay(CLI::App& app, int& exit_code) {
       ->excludes(all)
       ->excludes(sample);
   add_force(*verb, arguments->force);
+  add_json(*verb)->excludes(keep);
   for (CLI::Option* option :
        {verb->add_option("--format", arguments->format,
                          "of ROW's drawing, a format of `ar3d help draw`; by the file's ending, "

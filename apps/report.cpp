@@ -1,9 +1,9 @@
 // `ar3d report`: the page, and its tables as files of their own.
 #include "ar3d/analysis/report.h"
 
-#include "ar3d/base/say.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "commands.h"
+#include "options.h"
 #include "outputs.h"
 #include "report_page.h"
 #include "study_rows.h"
@@ -39,14 +39,15 @@ struct ReportArguments {
 
 int write_report(const ReportArguments& arguments) {
   const std::string results = results_path_of(arguments.results);
+  manner.json = arguments.json == "-";
   const std::string path = arguments.output.empty() ? report_path(results) : arguments.output;
   if (arguments.output.empty()) refuse_foreign_page(path, results);
-  refuse_unsafe_outputs(
-      {.inputs = {arguments.results, results, arguments.reference},
-       .outputs = {arguments.csv, arguments.json, arguments.rows, arguments.growth},
-       .page = path,
-       .force = arguments.force,
-       .streams = false});
+  refuse_unsafe_outputs({.inputs = {arguments.results, results, arguments.reference},
+                         .outputs = {arguments.csv, manner.json ? "" : arguments.json,
+                                     arguments.rows, arguments.growth},
+                         .page = path,
+                         .force = arguments.force,
+                         .streams = false});
   refuse_foreign_ending(path, {".html", ".htm"});
   for (const std::string* csv : {&arguments.csv, &arguments.growth, &arguments.rows}) {
     refuse_foreign_ending(*csv, {".csv", ".txt"});
@@ -62,12 +63,13 @@ int write_report(const ReportArguments& arguments) {
   };
   write(path, [&] { return render_report(analysis, since, drawings); });
   write(arguments.csv, [&] { return bounds_csv(analysis); });
-  write(arguments.json, [&] { return analysis_json(analysis, since); });
+  if (!arguments.json.empty()) write_json(arguments.json, analysis_json(analysis, since));
   write(arguments.growth, [&] { return scaling_csv(analysis); });
   if (!arguments.rows.empty()) {
     write_in_pieces(arguments.rows, [&](const TextSink& sink) { rows_csv(view, sink); });
   }
-  say("{}report   {}\n", verdict_line(analysis.verdict), path);
+  if (!manner.json) say("{}", verdict_line(analysis.verdict));
+  note(stdout, "report   {}\n", path);
   if (view.count == 0) {
     say(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments.results);
   }
@@ -88,7 +90,7 @@ void add_report(CLI::App& app, int& exit_code) {
   verb->add_option("--csv", arguments->csv, "also write the bounds table as CSV to this file");
   verb->add_option("--json", arguments->json,
                    "also write all tables as JSON to this file: what the page and `ar3d figures` "
-                   "show");
+                   "show; -: to standard output instead of the text");
   verb->add_option("--growth", arguments->growth,
                    "also write the growth models as CSV to this file");
   verb->add_option("--rows", arguments->rows,

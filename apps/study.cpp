@@ -5,7 +5,6 @@
 
 #include "ar3d/analysis/report.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
@@ -29,7 +28,6 @@ struct RunArguments {
   std::string shard;
   std::vector<std::string> again;
   int workers = 0;  // 0: workers_for() decides
-  bool quiet = false;
   bool force = false;
   SessionPolicy policy;  // what the command line says of it
 };
@@ -41,13 +39,14 @@ void write_report(const std::string& results, const StudyAnalysis& analysis) {
   try {
     refuse_foreign_page(page, results);
   } catch (const InputError&) {
-    say("report   not made: {} is no report of ar3d; `ar3d report {} -o OTHER.html` makes it\n",
-        page, shell_word(results));
+    note(stdout,
+         "report   not made: {} is no report of ar3d; `ar3d report {} -o OTHER.html` makes it\n",
+         page, shell_word(results));
     return;
   }
   write_file_atomically(
       page, render_report(analysis, since_reference(analysis.rows, {}), shown_drawings(analysis)));
-  say("report   {}\n", page);
+  note(stdout, "report   {}\n", page);
 }
 
 // Counts what no session before has counted. Where it cannot be, times alone are compared.
@@ -67,7 +66,7 @@ bool count_drawings_of(const std::string& path) {
     }
     if (drawings == 0) return true;
     write_results(results, path);
-    say("counted  {} drawings\n", drawings);
+    note(stdout, "counted  {} drawings\n", drawings);
   } catch (const InputError& error) {
     say(stderr, "ar3d: drawings are not counted: {}\n", printable(error.what()));
   }
@@ -81,18 +80,20 @@ int conclude(const JournaledStudy& study, bool force, bool unchanged) {
   const StudyRows rows(study.results);
   CheckedRows examination = judge(rows.view(), study.results);
   int exit_code = examination.verdict.exit_code();
-  say("{}", summary(examination.verdict));
-  say("results  {}\n", study.results);
+  nlohmann::ordered_json json = verdict_json(examination.verdict, *rows.view().identity);
+  json["results"] = study.results;
+  tell(json, "{}", summary(examination.verdict));
+  note(stdout, "results  {}\n", study.results);
   const bool is_timed = std::ranges::any_of(
       study.spec.sweeps, [](const Sweep& sweep) { return sweep.timed.most > 0; });
   if (!is_timed) {
-    say("times    not measured: {} does\n",
-        study.spec.name == kGraphsStudy ? "--timed N" : "`timed_repetitions` in a sweep");
+    note(stdout, "times    not measured: {} does\n",
+         study.spec.name == kGraphsStudy ? "--timed N" : "`timed_repetitions` in a sweep");
   }
-  say("{}", left_out_text(*rows.view().identity));
+  if (!manner.json) say("{}", left_out_text(*rows.view().identity));
   if (study.shard.count > 1) {
-    say("shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
-        study.shard.index, study.shard.count);
+    note(stdout, "shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
+         study.shard.index, study.shard.count);
   } else {
     write_report(study.results, analyse(rows.view(), std::move(examination)));
     if (study.spec.keep_drawings != KeptDrawings::none) {
@@ -108,9 +109,9 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
                    Ranks& ranks) {
   // A second signal ends the program at once: what is acknowledged is in the journal.
   const Interruptible interruptible(SecondSignal::ends_program);
-  if (ranks.size() > 1 && ranks.is_first() && !arguments.quiet) {
-    say(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
-        ranks.size(), shell_word(study.results));
+  if (ranks.size() > 1 && ranks.is_first()) {
+    note(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
+         ranks.size(), shell_word(study.results));
   }
   const bool was_whole = ranks.is_first() && study.seed_from_results && study.again.empty() &&
                          study.spec.keep_drawings != KeptDrawings::none &&
@@ -122,8 +123,11 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
   say(stderr, "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
       is_interrupted() ? "interrupted" : "not finished", outcome.rows, study.results,
       outcome.missing, shell_word(study.results));
-  if (is_interrupted()) return kInterrupted;
-  return judge(StudyRows(study.results).view(), study.results).verdict.exit_code();
+  if (is_interrupted() && !manner.json) return kInterrupted;
+  const StudyRows rows(study.results);
+  const CheckVerdict verdict = judge(rows.view(), study.results).verdict;
+  if (manner.json) print_json(verdict_json(verdict, *rows.view().identity));
+  return is_interrupted() ? kInterrupted : verdict.exit_code();
 }
 
 // Why a study has ended early. @param rank  that speaks for itself; nothing: it speaks for all.
@@ -142,7 +146,7 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
   SessionPolicy policy = arguments.policy;
   policy.workers = workers_for(arguments.workers, ranks->size());
   policy.ranks = ranks.get();
-  if (!arguments.quiet && ranks->size() == 1) policy.progress = stderr;
+  if (!manner.quiet && ranks->size() == 1) policy.progress = stderr;
   const auto begin_possible = [&] {
     JournaledStudy begun = begin();
     refuse_impossible_study(begun.spec, policy);
@@ -184,7 +188,7 @@ void add_common(CLI::App& verb, RunArguments& arguments) {
           "ranks")
       ->default_str("")
       ->check(whole_number(1, 1024));
-  verb.add_flag("-q,--quiet", arguments.quiet, "no progress on standard error");
+  add_json(verb);
   add_making_options(verb, arguments.policy);
 }
 
@@ -304,8 +308,16 @@ int merge(const RunArguments& arguments) {
                          .streams = false});
   refuse_foreign_ending(arguments.output, {".h5", ".hdf5"});
   const StudyOutcome outcome = merge_study(arguments.parts, arguments.output);
+  if (manner.json) {
+    print_json({{"rows", outcome.rows},
+                {"files", arguments.parts.size()},
+                {"missing", outcome.missing},
+                {"missing_shards", outcome.missing_shards},
+                {"results", outcome.complete() ? arguments.output : ""}});
+  }
   if (outcome.complete()) {
-    say("{} rows of {} files are in {}\n", outcome.rows, arguments.parts.size(), arguments.output);
+    note(stdout, "{} rows of {} files are in {}\n", outcome.rows, arguments.parts.size(),
+         arguments.output);
     return kPass;
   }
   say(stderr, "ar3d: {} rows are missing, row {} for one{}; nothing was written\n", outcome.missing,
@@ -321,6 +333,7 @@ void add_merge(CLI::App& study, int& exit_code) {
   const auto arguments = std::make_shared<RunArguments>();
   verb->add_option("PART", arguments->parts, "results files or journals, in any order")->required();
   verb->add_option("-o,--output", arguments->output, "results file")->required();
+  add_json(*verb);
   add_force(*verb, arguments->force);
   verb->footer(
       "Exit code 2 if the parts do not belong together, 5 if rows are missing; then nothing is "

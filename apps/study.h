@@ -32,6 +32,10 @@ StudySpec chosen_study(const StudyChoice& choice);
 /// impossible.
 void refuse_impossible_study(const StudySpec& spec, const SessionPolicy& policy);
 
+/// Returns the row with that key, or with that number from 0. @throws InputError naming the file if
+/// there is none.
+const RunRecord& find_row(const Results& results, const std::string& row, const std::string& path);
+
 /// `ar3d replay --keep`.
 struct KeepArguments {
   std::string results;

@@ -10,7 +10,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/replay/count_instructions.h"
@@ -39,10 +38,10 @@ int write_drawings(const std::string& path, const RowView& rows, KeptDrawings ke
     return kRegression;
   }
   file.commit();
-  say(path == "-" ? stderr : stdout, "drawings {}: {} kept ({}{})\n",
-      path == "-" ? "standard output" : path, outcome.kept, to_string(kept),
-      outcome.repeated == 0 ? ""
-                            : fmt::format("; {} more rows have one of these", outcome.repeated));
+  note(path == "-" ? stderr : stdout, "drawings {}: {} kept ({}{})\n",
+       path == "-" ? "standard output" : path, outcome.kept, to_string(kept),
+       outcome.repeated == 0 ? ""
+                             : fmt::format("; {} more rows have one of these", outcome.repeated));
   return outcome.problems.empty() ? kPass : kRegression;
 }
 
@@ -84,13 +83,23 @@ int count(const CountArguments& arguments) {
     return kIncomplete;
   }
   std::set<std::string> told;
+  nlohmann::ordered_json drawings = nlohmann::ordered_json::array();
   for (const RunRecord& run : results.runs) {
     if (run.counted_instructions < 0) continue;
     const std::string line =
         fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\n", run.family, run.n, run.seed, run.algorithm,
                     run.options, run.counted_instructions, run.estimated_cycles);
-    if (told.insert(line).second) say("{}", line);
+    if (!told.insert(line).second) continue;
+    note(stdout, "{}", line);
+    drawings.push_back({{"family", run.family},
+                        {"n", run.n},
+                        {"seed", run.seed},
+                        {"algorithm", run.algorithm},
+                        {"options", run.options},
+                        {"counted_instructions", run.counted_instructions},
+                        {"estimated_cycles", run.estimated_cycles}});
   }
+  if (manner.json) print_json({{"drawings", drawings}});
   write_results(results, path);
   return kPass;
 }
@@ -125,7 +134,7 @@ int keep_drawings_beside(const std::string& results, const RowView& rows, KeptDr
                          bool force, bool unchanged) {
   const std::string path = drawings_path(results);
   if (unchanged && std::filesystem::exists(path) && may_be_replaced(path)) {
-    say("drawings {}: as it was, no row is new\n", path);
+    note(stdout, "drawings {}: as it was, no row is new\n", path);
     return kPass;
   }
   if (!force && !may_be_replaced(path)) {
@@ -145,6 +154,7 @@ void add_study_count(CLI::App& study, int& exit_code) {
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
   verb->add_option("-o,--output", arguments->output,
                    "results file with the counts; RESULTS itself if left out");
+  add_json(*verb);
   add_force(*verb, arguments->force);
   verb->add_option("--max-n", arguments->max_n, "largest n to count")
       ->check(whole_number(0, 100000000));

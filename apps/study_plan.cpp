@@ -12,7 +12,6 @@
 #include "ar3d/analysis/table.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/describe_study.h"
@@ -266,7 +265,6 @@ void add_study_plan(CLI::App& study, int&) {
   struct PlanArguments {
     StudyChoice chosen;
     int workers = 0;
-    bool json = false;
   };
   const auto arguments = std::make_shared<PlanArguments>();
   add_study_choice(*verb, arguments->chosen);
@@ -274,7 +272,7 @@ void add_study_plan(CLI::App& study, int&) {
                    "rows made at the same time; as many as cores if left out")
       ->default_str("")
       ->check(whole_number(1, 1024));
-  add_json(*verb, arguments->json);
+  add_json(*verb);
   verb->footer(
       "Estimates are extrapolated from short runs at small sizes on this machine; expect them to "
       "be "
@@ -285,11 +283,11 @@ void add_study_plan(CLI::App& study, int&) {
     require_programs(spec);
     const StudyPlan plan = plan_study(spec);
     const int workers = workers_for(arguments->workers);
-    say(stderr, "ar3d: {} graphs planned; small ones are drawn to estimate time and memory\n",
-        plan.instances.size());
+    note(stderr, "ar3d: {} graphs planned; small ones are drawn to estimate time and memory\n",
+         plan.instances.size());
     const StudyEstimate made = estimate(plan, workers);
-    if (arguments->json) print_json(plan_json(spec, plan, made));
-    if (!arguments->json) print_estimate(spec, plan, made, workers);
+    if (manner.json) print_json(plan_json(spec, plan, made));
+    if (!manner.json) print_estimate(spec, plan, made, workers);
     refuse_impossible(plan, made, available_memory());
   });
 }

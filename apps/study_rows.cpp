@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/store/columns/run_columns.h"
@@ -31,6 +30,8 @@ std::int64_t planned_rows(const std::string& file, const StudyIdentity& identity
   const StudyOutcome outcome = outcome_so_far(study);
   return static_cast<std::int64_t>(outcome.rows + outcome.missing);
 }
+
+}  // namespace
 
 nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIdentity& identity) {
   nlohmann::ordered_json skipped = nlohmann::ordered_json::array();
@@ -62,12 +63,13 @@ nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIden
           {"findings", findings}};
 }
 
+namespace {
+
 struct StatusArguments {
   std::string file;
   std::string snapshot;
   bool force = false;
   bool watch = false;
-  bool json = false;
 };
 
 // How far a study is, from its journals or its results file.
@@ -140,9 +142,9 @@ void print_details(const Standing& standing, const std::string& file) {
       printable(standing.identity.source_hash), standing.identity.dirty ? " and changes" : "");
   const std::string results = shell_word(results_path_of(file));
   if (standing.writers > 0) {
-    say("watch it with `ar3d study status --watch {}`\n", results);
+    note(stdout, "watch it with `ar3d study status --watch {}`\n", results);
   } else if (!standing.complete() || standing.journals > 0) {
-    say("go on with `ar3d study resume {}`\n", results);
+    note(stdout, "go on with `ar3d study resume {}`\n", results);
   }
 }
 
@@ -180,27 +182,23 @@ int show(const StatusArguments& arguments) {
                            .force = arguments.force,
                            .streams = false});
     const StudyOutcome outcome = write_snapshot(begun_study(arguments.file), arguments.snapshot);
-    say("{} rows are in {}\n", outcome.rows, arguments.snapshot);
+    note(stdout, "{} rows are in {}\n", outcome.rows, arguments.snapshot);
     return outcome.complete() ? kPass : kIncomplete;
   }
   Standing standing = arguments.watch ? watch(arguments.file) : standing_of(arguments.file);
   if (standing.writers > 0) {
-    if (arguments.json) print_json(standing_json(standing));
-    if (!arguments.json) print_details(standing, arguments.file);
+    if (manner.json) print_json(standing_json(standing));
+    if (!manner.json) print_details(standing, arguments.file);
     return kIncomplete;
   }
   const StudyRows rows(arguments.file);
   standing.rows = rows.view().count;
   standing.identity.planned_rows = rows.view().planned;
   const CheckVerdict verdict = judge(rows.view(), arguments.file).verdict;
-  if (!arguments.json) print_details(standing, arguments.file);
-  if (arguments.json) {
-    nlohmann::ordered_json json = standing_json(standing);
-    json["check"] = verdict_json(verdict, *rows.view().identity);
-    print_json(json);
-  } else {
-    say("{}{}", verdict_line(verdict), left_out_text(*rows.view().identity));
-  }
+  if (!manner.json) print_details(standing, arguments.file);
+  nlohmann::ordered_json json = standing_json(standing);
+  json["check"] = verdict_json(verdict, *rows.view().identity);
+  tell(json, "{}{}", verdict_line(verdict), left_out_text(*rows.view().identity));
   return verdict.exit_code();
 }
 
@@ -279,7 +277,7 @@ void add_study_status(CLI::App& study, int& exit_code) {
   verb->add_flag("--watch", arguments->watch, "tell it every second until nobody writes any more");
   CLI::Option* const snapshot = verb->add_option(
       "--snapshot", arguments->snapshot, "write the rows so far as a results file of their own");
-  add_json(*verb, arguments->json)->excludes(snapshot)->excludes(verb->get_option("--watch"));
+  add_json(*verb)->excludes(snapshot)->excludes(verb->get_option("--watch"));
   add_force(*verb, arguments->force);
   verb->footer(
       "Exit code as of `ar3d check`; 5 while the study is running.\nExample: ar3d study status "
@@ -295,21 +293,19 @@ void add_check(CLI::App& app, int& exit_code) {
   verb->add_option("RESULTS", *path, "results file (HDF5), or the journal of an unfinished study")
       ->required();
   const auto accepts_unproved = std::make_shared<bool>(false);
-  const auto json = std::make_shared<bool>(false);
-  add_json(*verb, *json);
+  add_json(*verb);
   verb->add_flag("--accept-unproved", *accepts_unproved,
                  "pass although rows were judged by another certificate than exact");
   verb->footer(
       "Exit code 0 pass, 4 violated, 5 incomplete, nothing measured, or rows that nothing "
       "proves.\nExample: ar3d check "
       "smoke.h5");
-  verb->callback([path, accepts_unproved, json, &exit_code] {
+  verb->callback([path, accepts_unproved, &exit_code] {
     const StudyRows rows(*path);
     CheckVerdict verdict = judge(rows.view(), *path).verdict;
     verdict.accepts_unproved = verdict.accepts_unproved || *accepts_unproved;
     const StudyIdentity& identity = *rows.view().identity;
-    if (*json) print_json(verdict_json(verdict, identity));
-    if (!*json) say("{}{}", summary(verdict), left_out_text(identity));
+    tell(verdict_json(verdict, identity), "{}{}", summary(verdict), left_out_text(identity));
     exit_code = verdict.exit_code();
   });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "ar3d/analysis/check.h"
@@ -34,6 +35,9 @@ class StudyRows {
 
 /// Returns a line that says how many files of collections were left out; empty if none was.
 std::string left_out_text(const StudyIdentity& identity);
+
+/// Returns a verdict as `ar3d check --json` prints it.
+nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIdentity& identity);
 
 /// Returns the one verdict on a study. @param file  for messages.
 /// @throws InputError if the rows cannot be of one study.

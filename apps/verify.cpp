@@ -15,7 +15,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/real_points.h"
@@ -37,8 +36,6 @@ struct VerifyArguments {
   std::string algorithm;
   std::string test = "automatic";
   std::string certificate = "exact";
-  bool quiet = false;
-  bool json = false;
 };
 
 struct LineToJudge {
@@ -182,16 +179,13 @@ int verify_drawings(const VerifyArguments& arguments) {
       [&](const LineToJudge& task) { return judge(task, arguments); },
       [&](const JudgedLine& line) {
         ++counts[static_cast<std::size_t>(line.first)];
-        if (arguments.quiet || line.second.empty()) return;
-        if (arguments.json) {
-          messages.push_back({{"verdict", kVerdictNames[static_cast<std::size_t>(line.first)]},
-                              {"text", line.second}});
-        } else {
-          say("{}", line.second);
-        }
+        if (manner.quiet || line.second.empty()) return;
+        note(stdout, "{}", line.second);
+        if (!manner.json) return;
+        messages.push_back({{"verdict", kVerdictNames[static_cast<std::size_t>(line.first)]},
+                            {"text", line.second}});
       });
-  if (arguments.json) print_json(counts_json(counts, std::move(messages)));
-  if (!arguments.json) say("{}", summary(counts, arguments.certificate));
+  tell(counts_json(counts, std::move(messages)), "{}", summary(counts, arguments.certificate));
   return exit_code_of(counts);
 }
 
@@ -216,8 +210,8 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_option("--certificate", arguments->certificate, "exact, or none: nothing is judged")
       ->excludes(test);
   add_threads_option(*verb);
-  verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");
-  add_json(*verb, arguments->json);
+  verb->add_flag("-q,--quiet", manner.quiet, "only the summary");
+  add_json(*verb);
   verb->footer(
       "Exit code 4 if a drawing is violated. Exit code 5 if a graph was not drawn, a drawing's "
       "algorithm is not known here, or its points are of a real type (its misses are measured). "

@@ -5,8 +5,8 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
-#include "ar3d/base/say.h"
 #include "commands.h"
+#include "options.h"
 #include "outputs.h"
 #include "several_inputs.h"
 
@@ -58,7 +58,7 @@ int view_drawings(const ViewArguments& arguments) {
     return PlacedLine{std::move(*line), inputs.reader().where()};
   };
   write_viewer_page(next, page, arguments.algorithm);
-  if (page != "-") say("wrote {}\n", page);
+  if (page != "-") note(stdout, "wrote {}\n", page);
   return kPass;
 }
 

@@ -316,6 +316,7 @@ JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::s
         journals.front(), shell_word(study.results)));
   }
   require_writable(study.results);
+  study.spec.own_files = own_files_of(study.results);
   return study;
 }
 
@@ -325,12 +326,9 @@ JournaledStudy begun_study(const std::string& journal_or_results) {
   const bool in_results = rows_are_in_results(results);
   const StudyIdentity identity =
       in_results ? RunReader(results).identity() : journal_status(journals.front()).identity;
-  return {recorded_study(identity, in_results ? results : journals.front()),
-          identity.shard,
-          results,
-          identity.created,
-          in_results,
-          !in_results};
+  StudySpec spec = recorded_study(identity, in_results ? results : journals.front());
+  spec.own_files = own_files_of(results);
+  return {std::move(spec), identity.shard, results, identity.created, in_results, !in_results};
 }
 
 JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin) {
@@ -343,6 +341,7 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
   StudyIdentity identity = study ? identity_of(*study, StudyPlan()) : StudyIdentity();
   identity = parse_identity(ranks.from_first(identity_text(identity)), results);
   StudySpec spec = recorded_study(identity, results);
+  spec.own_files = own_files_of(results);
   if (study) spec.shelf = study->spec.shelf;
   together(ranks, [&spec] { corpora_of(spec); });  // so that all ranks have read the same graphs
   return {std::move(spec),

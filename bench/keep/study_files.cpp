@@ -141,12 +141,14 @@ std::string drawings_path(const std::string& results) {
   return fs::path(results).replace_extension(".drawings.jsonl").string();
 }
 
+std::vector<std::string> own_files_of(const std::string& results) {
+  return {results, report_path(results), drawings_path(results)};
+}
+
 void remove_study_leftovers(const std::string& results) {
   std::vector<std::string> paths = existing_journals(results);
-  for (const std::string& path :
-       {results, report_path(results), drawings_path(results), journal_path(results)}) {
-    paths.push_back(path);
-  }
+  for (std::string& path : own_files_of(results)) paths.push_back(std::move(path));
+  paths.push_back(journal_path(results));
   for (const std::string& path : paths) remove_leftovers(path);
 }
 

@@ -34,6 +34,9 @@ std::string report_path(const std::string& results);
 /// for r.h5.
 std::string drawings_path(const std::string& results);
 
+/// Returns these three files of a study: results, report and drawings.
+std::vector<std::string> own_files_of(const std::string& results);
+
 /// Returns the results file that a journal is made into; other paths are results files themselves.
 std::string results_path_of(const std::string& journal_or_results);
 

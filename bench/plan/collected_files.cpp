@@ -40,6 +40,17 @@ void add_folder(const std::string& top, std::vector<std::string>& files) {
   }
 }
 
+// One of the study's own files or a journal of it, whatever the way to its folder.
+bool is_own(const fs::path& file, const std::vector<std::string>& own_files) {
+  const std::string name = file.filename().string();
+  return std::ranges::any_of(own_files, [&](const fs::path& own) {
+    std::error_code ignored;
+    const std::string its = own.filename().string();
+    return (name == its || (name.starts_with(its + ".") && name.ends_with(".journal"))) &&
+           fs::equivalent(file.parent_path(), fs::absolute(own).parent_path(), ignored);
+  });
+}
+
 // The folder that the names of a collection's files begin behind.
 fs::path base_of(const std::string& path) {
   const std::size_t wildcard = path.find_first_of("*?[");
@@ -123,7 +134,8 @@ std::vector<std::string> matching_files(const std::string& path, const GraphsEnt
   return files;
 }
 
-std::vector<std::string> collected_paths(const std::string& path) {
+std::vector<std::string> collected_paths(const std::string& path,
+                                         const std::vector<std::string>& own_files) {
   std::vector<std::string> files;
   try {
     for (const std::string& match : matches(path)) {
@@ -138,18 +150,20 @@ std::vector<std::string> collected_paths(const std::string& path) {
     throw InputError(fmt::format("cannot read {}: {}", printable(error.path1().string()),
                                  error.code().message()));
   }
+  std::erase_if(files, [&](const std::string& file) { return is_own(file, own_files); });
   std::sort(files.begin(), files.end());
   return files;
 }
 
-std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry) {
+std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry,
+                                        const std::vector<std::string>& own_files) {
   std::map<std::string, std::string, std::less<>> groups;
   if (!record.groups.empty()) groups = read_groups(record.groups);
   const fs::path base = base_of(record.path);
   std::vector<CorpusFile> files;
   bool any_group = groups.empty();
   bool has_folders = false;
-  for (const std::string& found : collected_paths(record.path)) {
+  for (const std::string& found : collected_paths(record.path, own_files)) {
     const fs::path within = fs::path(found).lexically_relative(base);
     CorpusFile file{
         found, within.filename().string(), within.parent_path().string(), {}, within.string()};

@@ -178,12 +178,12 @@ class CorpusReader {
   }
 
   /// @param may_be_gone  then there are none where the file or folder is not there any more.
-  static std::vector<CorpusFile> files_now(const GraphFileRecord& record, const GraphsEntry& entry,
-                                           bool may_be_gone) {
+  std::vector<CorpusFile> files_now(const GraphFileRecord& record, const GraphsEntry& entry,
+                                    bool may_be_gone) const {
     std::error_code ignored;
     if (may_be_gone && !is_pattern(record.path) && !fs::exists(record.path, ignored)) return {};
     if (!entry.is_collection) return {{record.path, "", ""}};
-    return collected_files(record, entry);
+    return collected_files(record, entry, spec_.own_files);
   }
 
   // Rows are told apart by the graphs' hash and, for people, by the name: one must give the other.
@@ -244,9 +244,9 @@ std::vector<FamilyChoice> StudyCorpus::choices() const {
 
 std::vector<std::string> graph_files_of(const StudySpec& spec) {
   std::vector<std::string> files;
-  const auto add = [&files](const std::string& path, const std::string& groups,
-                            bool is_collection) {
-    const std::vector<std::string> found = is_collection ? collected_paths(path) : matches(path);
+  const auto add = [&](const std::string& path, const std::string& groups, bool is_collection) {
+    const std::vector<std::string> found =
+        is_collection ? collected_paths(path, spec.own_files) : matches(path);
     files.insert(files.end(), found.begin(), found.end());
     if (!groups.empty()) files.push_back(groups);
   };

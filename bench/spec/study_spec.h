@@ -151,6 +151,8 @@ struct StudySpec {
   std::vector<CollectedFile> collected;  ///< of a study that has begun: its files as they were read
   std::vector<SkippedFile> skipped;      ///< and those that could not be
   std::shared_ptr<const HeldGraphs> held;  ///< and its graphs; null or without a family: not held
+  /// Holds results, report and drawings of the study; none of them is a graph of a folder.
+  std::vector<std::string> own_files = {};
   bool grows = false;          ///< what files hold by now and the study does not is to be added
   double graphs_bytes = 64e6;  ///< graphs of files go into the results up to this size
   /// Holds files that were opened, for all copies of this specification.
@@ -209,7 +211,7 @@ std::string default_results_path(const StudySpec& spec);
 /// Describes a study that comes with the program, by name.
 struct NamedStudy {
   std::string_view name;
-  std::string_view description;  ///< one sentence
+  std::string_view summary;  ///< one sentence
   std::string_view toml;
 };
 

@@ -1,8 +1,10 @@
-// One edge "u v" per line, or "u,v"; a weight may follow; comments begin with # or %. A line "# vertices N", "% vertices N" or "n
-// N" begins a graph with N vertices; edges without such a line make a graph up to the largest id.
+// One edge "u v" per line, or "u,v" or "u;v", maybe in quotes; a weight may follow; comments begin with # or %. A line
+// "# vertices N", "% vertices N" or "n N" begins a graph with N vertices; edges without such a line make a graph up to the
+// largest id.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -18,10 +20,31 @@
 namespace ar3d {
 namespace {
 
-/// The names of the columns of a comma list.
+/// A blank of a name in quotes, until its line is in words.
+constexpr char kBlankOfName = '\x1f';
+
+/// The names of the columns of a list with separators: source, target, and maybe more.
 bool is_heading(std::string_view line) {
-  const std::string_view columns = line.substr(0, line.find(',', line.find(',') + 1));
-  return columns == "source,target" || columns == "Source,Target" || columns == "from,to";
+  std::string columns;
+  for (const char c : line.substr(0, 32)) {
+    if (c != '"' && c != '\r') columns += c == ';' ? ',' : static_cast<char>(std::tolower(c));
+  }
+  return (columns + ",").starts_with("source,target,") || (columns + ",").starts_with("from,to,");
+}
+
+/// The comma or semicolon behind the line's first column; 0 if it is of no such list.
+/// @param told  the file is called an edge list: names without blanks may have separators, too.
+char separator_of(std::string_view line, bool told) {
+  std::size_t behind = line.find_first_not_of("0123456789");
+  if (line.starts_with('"')) {
+    do {
+      behind = line.find('"', behind + 1) + 1;
+    } while (behind > 0 && line.substr(behind).starts_with('"'));
+  } else if (is_heading(line) || (told && line.find_first_of(" \t") == std::string_view::npos)) {
+    behind = line.find_first_of(",;");
+  }
+  const bool is_list = behind > 0 && behind < line.size();
+  return is_list && (line[behind] == ',' || line[behind] == ';') ? line[behind] : '\0';
 }
 
 constexpr const char* kInAStudy = "in a study the keys base and first_line";
@@ -47,15 +70,15 @@ class EdgeListParser final : public GraphParser {
       } else if (!is_comment(*line)) {
         if (!begun) {
           edges_.begin(std::nullopt);
-          has_commas_ = has_heading_ || is_comma_list(*line);
+          if (!has_heading_) separator_ = separator_of(*line, is_told());
           if (is_heading(*line)) {
             has_heading_ = true;
             continue;
           }
         }
-        Tokens tokens(input_, without_commas(*line));
+        Tokens tokens(input_, in_words(*line));
         if (!begun) {
-          if ((is_told() || has_heading_) && begins_with_name(*line)) return read_named(*line);
+          if (is_of_names(tokens)) return read_named(*line);
           read_first_line(tokens);
         } else {
           edges_.read_edge(tokens);
@@ -76,10 +99,10 @@ class EdgeListParser final : public GraphParser {
   Graph read_named(std::string_view line) {
     for (std::optional<std::string_view> next = line; next; next = input_.next_line()) {
       if (is_blank(*next) || is_comment(*next)) continue;
-      Tokens tokens(input_, without_commas(*next));
-      const Vertex u = named_.vertex(tokens.word());
+      Tokens tokens(input_, in_words(*next));
+      const Vertex u = named_.vertex(name_of(tokens.word()));
       if (tokens.done()) tokens.fail("expected a second name, the other end of the edge");
-      named_.join(u, named_.vertex(tokens.word()), input_.line());
+      named_.join(u, named_.vertex(name_of(tokens.word())), input_.line());
       Tokens rest = tokens;
       const std::string_view behind = rest.word();
       const bool is_weight = !begins_with_name(behind) && rest.done();
@@ -113,16 +136,37 @@ class EdgeListParser final : public GraphParser {
   /// Is the file called an edge list, by its ending or by --from? Lines of three numbers and of
   /// names tell nothing.
   bool is_told() const { return !options_.format.empty() || is_named_edge_list(input_.name()); }
-  static bool is_comma_list(std::string_view line) {
-    const std::size_t behind = line.find_first_not_of("0123456789");
-    return is_heading(line) || (behind > 0 && behind < line.size() && line[behind] == ',');
+  /// Is the first line's first word a name? Without separators it is only where names may be.
+  bool is_of_names(Tokens tokens) const {
+    const std::string_view first = tokens.word();
+    if (separator_ == 0) return is_told() && begins_with_name(first);
+    return first.find_first_not_of("0123456789") != std::string_view::npos && first[0] != '-';
   }
-  /// The line with blanks for commas, if it is of a comma list; valid until the next call.
-  std::string_view without_commas(std::string_view line) {
-    if (!has_commas_) return line;
-    row_ = line;
-    std::ranges::replace(row_, ',', ' ');
+  /// The line with blanks for separators and quotes, if it is of a list with such; valid until the
+  /// next call. @throws InputError for a quote without its other one.
+  std::string_view in_words(std::string_view line) {
+    if (separator_ == 0) return line;
+    row_.clear();
+    std::size_t quote = 0;  // column of the one that is open
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const char c = line[i];
+      const bool is_doubled = quote > 0 && c == '"' && line.substr(i + 1).starts_with('"');
+      if (is_doubled) ++i;
+      if (c == '"' && !is_doubled) quote = quote > 0 ? 0 : i + 1;
+      const bool is_between = quote == 0 && c == separator_;
+      row_ += is_between || (c == '"' && !is_doubled) ? ' '
+              : quote > 0 && c == ' '                 ? kBlankOfName
+                                                      : c;
+    }
+    if (quote > 0)
+      input_.fail(quote, fmt::format("no quote ends {}", shown(line.substr(quote - 1))));
     return row_;
+  }
+  /// The word as it stands in the file, valid until the next call.
+  std::string_view name_of(std::string_view word) {
+    name_ = word;
+    std::ranges::replace(name_, kBlankOfName, ' ');
+    return name_;
   }
   /// A weight as networkx' write_weighted_edgelist has it: a number; a whole one only where the
   /// file is called an edge list.
@@ -131,7 +175,7 @@ class EdgeListParser final : public GraphParser {
     const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool is_whole = word.find_first_not_of("-0123456789") == std::string_view::npos;
     return read.ec == std::errc() && read.ptr == word.data() + word.size() &&
-           std::isfinite(value) && (!is_whole || has_commas_ || is_told());
+           std::isfinite(value) && (!is_whole || separator_ != 0 || is_told());
   }
   /// Behind an edge: "{}" or "{'weight': 2}", as networkx writes, or one weight; else it is refused.
   void skip_attributes(Tokens& tokens) const {
@@ -147,7 +191,9 @@ class EdgeListParser final : public GraphParser {
     first.a = ends.number("a vertex id");
     first.b = ends.number("a vertex id");
     first.line = input_.line();
-    if (!ends.done() || options_.first_line == FirstLine::edge) return edges_.read_edge(tokens);
+    if (!ends.done() || has_heading_ || options_.first_line == FirstLine::edge) {
+      return edges_.read_edge(tokens);
+    }
     try {
       edges_.read_edge(tokens);
     } catch (const InputError& error) {
@@ -198,8 +244,9 @@ class EdgeListParser final : public GraphParser {
   }
 
   EdgeCollector edges_;
-  bool has_commas_ = false, has_heading_ = false;
-  std::string row_;
+  char separator_ = 0;  // between the columns; 0: blanks
+  bool has_heading_ = false;
+  std::string row_, name_;
   GatheredGraph named_;  // instead, of a list of names
   std::optional<First> first_;
 };
@@ -216,22 +263,22 @@ bool looks_like_edge_list(const InputHead& head) {
   if (first == std::string_view::npos) return true;
   const std::string_view text = head.text.substr(first);
   return is_digit(text[0]) || is_comment(text) || text.starts_with("n ") ||
-         is_heading(text.substr(0, text.find_first_of("\r\n"))) ||
+         separator_of(text.substr(0, text.find_first_of("\r\n")), false) != 0 ||
          (head.is_named_edge_list && begins_with_name(text));
 }
 
 }  // namespace
 
 GraphFormat edge_list_format() {
-  return {
-      .name = "edgelist",
-      .extensions = {".edges", ".edgelist", ".el", ".ncol", ".txt"},
-      .summary =
-          "one edge \"u v\" or \"u,v\" per line, a weight behind it is skipped; # or % comments, "
-          "\"# vertices N\" begins a graph",
-      .detect = looks_like_edge_list,
-      .parser = make_parser<EdgeListParser>,
-      .writer = make_appending<append_edge_list>};
+  return {.name = "edgelist",
+          .extensions = {".edges", ".edgelist", ".el", ".ncol", ".txt"},
+          .summary =
+              "one edge \"u v\", \"u,v\" or \"u;v\" per line, a weight behind it is skipped; # or "
+              "% comments, "
+              "\"# vertices N\" begins a graph",
+          .detect = looks_like_edge_list,
+          .parser = make_parser<EdgeListParser>,
+          .writer = make_appending<append_edge_list>};
 }
 
 }  // namespace ar3d

@@ -16,6 +16,21 @@ constexpr std::uint64_t kMaxWritten = std::uint64_t{1} << 18;
 /// Entries above the diagonal, in groups of six; n < 2^32.
 std::uint64_t body_groups(std::uint64_t n) { return n == 0 ? 0 : (n * (n - 1) / 2 + 5) / 6; }
 
+/// Reads N(n). @throws InputError unless as many groups follow as `groups` gives for n.
+std::uint64_t read_size(SixBits& bits, const ReadOptions& options,
+                        std::uint64_t (*groups)(std::uint64_t n)) {
+  const std::uint64_t n = bits.size();
+  if (const auto problem = vertex_count_problem(n, bits.left(), options)) {
+    bits.input().fail(1, *problem);
+  }
+  if (bits.left() != groups(n)) {
+    bits.input().fail(bits.column(),
+                      fmt::format("{} vertices take {} characters after the size, found {}", n,
+                                  groups(n), bits.left()));
+  }
+  return n;
+}
+
 }  // namespace
 
 void SixBits::fail_group() const {
@@ -52,16 +67,8 @@ void append_size(std::string& out, std::uint64_t n) {
 
 EdgesOnVertices decode_graph6(SixBits bits, const ReadOptions& options) {
   EdgesOnVertices result;
-  result.n = bits.size();
-  if (const auto problem = vertex_count_problem(result.n, bits.left(), options)) {
-    bits.input().fail(1, *problem);
-  }
-  const std::uint64_t groups = body_groups(result.n);
-  if (bits.left() != groups) {
-    bits.input().fail(bits.column(),
-                      fmt::format("{} vertices take {} characters after the size, found {}",
-                                  result.n, groups, bits.left()));
-  }
+  result.n = read_size(bits, options, body_groups);
+  const std::uint64_t groups = bits.left();
   std::uint64_t u = 0;  // the group's first entry is (u, v)
   std::uint64_t v = 1;
   for (std::uint64_t i = 0; i < groups; ++i) {
@@ -77,6 +84,20 @@ EdgesOnVertices decode_graph6(SixBits bits, const ReadOptions& options) {
     }
     u += 6;
     while (u >= v) u -= v++;
+  }
+  return result;
+}
+
+EdgesOnVertices decode_digraph6(SixBits bits, const ReadOptions& options) {
+  EdgesOnVertices result;
+  const std::uint64_t n = read_size(bits, options, [](std::uint64_t n) { return (n * n + 5) / 6; });
+  result.n = n;
+  for (std::uint64_t first = 0; bits.left() > 0; first += 6) {
+    for (unsigned group = bits.group(); group != 0; group &= group - 1) {
+      const std::uint64_t bit = first + 5 - static_cast<unsigned>(std::countr_zero(group));
+      if (bit >= n * n) bits.input().fail(bits.column() - 1, "the padding bits are not zero");
+      result.edges.push_back({static_cast<Vertex>(bit / n), static_cast<Vertex>(bit % n)});
+    }
   }
   return result;
 }

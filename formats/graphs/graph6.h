@@ -95,6 +95,10 @@ struct EdgesOnVertices {
 /// Cost: O(line) time; memory for the edges only.
 EdgesOnVertices decode_graph6(SixBits bits, const ReadOptions& options);
 
+/// Decodes the digraph6 line at `bits` (behind its '&'): N(n), then the adjacency matrix row by row.
+/// Arcs come as they are. @throws InputError as decode_graph6. Cost: as decode_graph6.
+EdgesOnVertices decode_digraph6(SixBits bits, const ReadOptions& options);
+
 /// Appends the graph6 line of a graph with its newline. @throws InputError if n >= 2^18 (4 GiB a
 /// line). Cost: O(n^2) time.
 void append_graph6(std::string& out, const Graph& graph);

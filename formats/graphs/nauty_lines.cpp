@@ -1,6 +1,6 @@
 // The formats of nauty and its relatives (https://users.cecs.anu.edu.au/~bdm/data/formats.txt):
 // one graph per line of printable characters. A file may mix the kinds of lines: whichever of the
-// formats is chosen, ':' begins sparse6, ';' incremental sparse6, everything else graph6.
+// formats is chosen, ':' begins sparse6, ';' incremental sparse6, '&' digraph6, everything else graph6.
 #include <fmt/format.h>
 
 #include <utility>
@@ -26,11 +26,10 @@ class NautyParser final : public GraphParser {
   }
 
  private:
-  /// Where the graph begins: behind a header ">>graph6<<" or ">>sparse6<<", which the first line
-  /// may have.
+  /// Where the graph begins: behind a header such as ">>graph6<<", which the first line may have.
   std::size_t after_file_header(std::string_view line) const {
     if (input_.line() != 1 || !line.starts_with(">>")) return 0;
-    for (const std::string_view header : {">>graph6<<", ">>sparse6<<"}) {
+    for (const std::string_view header : {">>graph6<<", ">>sparse6<<", ">>digraph6<<"}) {
       if (line.starts_with(header)) return header.size();
     }
     input_.fail(
@@ -59,7 +58,10 @@ class NautyParser final : public GraphParser {
           input_.fail(begin + 1, "an incremental line without a graph before it");
         return decode_incremental_sparse6({input_, line, begin + 1}, previous_n_, *previous_);
       case '&':
-        input_.fail(begin + 1, "this is digraph6: directed graphs are not supported");
+        if (options_.undirected) return decode_digraph6({input_, line, begin + 1}, options_);
+        input_.fail(begin + 1,
+                    "this is digraph6: only undirected graphs are read (--undirected drops "
+                    "directions)");
       default:
         return decode_graph6({input_, line, begin}, options_);
     }

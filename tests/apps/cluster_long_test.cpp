@@ -8,13 +8,14 @@ namespace {
 
 void run_on_slurm(const std::string& job_file, const std::string& name) {
   const ScratchDirectory folder;
-  folder.write(job_file, recipe(job_file));
-  const std::string script = folder.write("script", "set -e\n" + recipe(name));
+  if (!job_file.empty()) folder.write(job_file, recipe(job_file));
+  const std::string script =
+      folder.write("script", with_programs(folder) + as_root() + "set -e\n" + recipe(name));
   expect_exit(
       0, run("cd " + folder.path("") +
              " && flock -o ${TMPDIR:-/tmp}/ar3d-one-node-slurm.lock timeout 300 " AR3D_SOURCE_DIR
              "/tests/cluster/one_node_slurm.sh slurm bash " +
-             script + "; code=$?; cat slurm-*.out; exit $code"));
+             script + "; code=$?; cat slurm-*.out 2>&1; exit $code"));
   EXPECT_EQ(run("{} study run smoke -q -o " + folder.path("one.h5")).exit_code, 0);
   expect_same_rows(folder.path("smoke.h5"), folder.path("one.h5"));
   EXPECT_EQ(run("pgrep -f " + folder.path("slurm") + "[/.]").out, "") << "Slurm is torn down";
@@ -23,6 +24,8 @@ void run_on_slurm(const std::string& job_file, const std::string& name) {
 TEST(ClusterRecipe, SlurmArray) { run_on_slurm("array.sh", "slurm array"); }
 
 TEST(ClusterRecipe, SlurmMpi) { run_on_slurm("ranks.sh", "slurm mpi"); }
+
+TEST(ClusterRecipe, SlurmByHand) { run_on_slurm("", "srun"); }
 
 }  // namespace
 }  // namespace ar3d::testing

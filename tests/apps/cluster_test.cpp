@@ -7,9 +7,9 @@ namespace {
 
 TEST(ClusterRecipe, Mpi) {
   const ScratchDirectory folder;
-  for (const char* name : {"mpi", "mpi resume"}) {
-    expect_exit(0, run_recipe(folder, name));
-  }
+  expect_exit(0, run_recipe(folder, "mpi"));
+  expect_exit(0, run_recipe(folder, "mpi resume"));
+  expect_output(run_recipe(folder, "plan"), "on 12 threads");
   EXPECT_EQ(run("{} study run smoke -q -o " + folder.path("one.h5")).exit_code, 0);
   expect_same_rows(folder.path("smoke.h5"), folder.path("one.h5"));
 }

@@ -1,5 +1,7 @@
 // What the command line understands and says of itself: help, defaults, choices, wrong verbs.
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
@@ -45,7 +47,11 @@ TEST(CommandLine, AnOptionOfAnAlgorithmOrFamilyIsASetting) {
   expect_error(run("{} generate torus -n 9 --rows 3"), "did you mean '--set rows=3'?");
   EXPECT_EQ(run("{} generate torus -n 9 --set rows=3").out,
             run("{} generate torus -n 9 --parameter rows=3").out);
-  expect_error(run("{} hunt --algorithm grid --rows=3"), "did you mean '--parameter rows=3'?");
+  expect_error(run("{} hunt --algorithm grid --rows=3"), "did you mean '--set rows=3'?");
+  const std::string hunt = "{} hunt --algorithm grid --family random-regular -n 8 --evaluations 2 ";
+  EXPECT_EQ(expect_exit(0, run(hunt + "--set degree=3 --set effort=0")).out,
+            run(hunt + "--parameter degree=3 --set effort=0").out);
+  expect_error(run(hunt + "--set rows=3"), "algorithm grid has no option 'rows'");
   expect_error(run("{} generate torus -n 9 --effort 2"), "not expected: '--effort' (see ");
 }
 
@@ -138,6 +144,78 @@ TEST(CommandLine, CataloguesAndPlansAreJsonIfAsked) {
   EXPECT_EQ(plan.at("rows"), rows);
   EXPECT_EQ(plan.at("cells")[0].at("cell"), "diamond (effort=1) on edgeless n=4");
   EXPECT_GT(plan.at("largest_row_bytes"), 0);
+}
+
+TEST(CommandLine, FamiliesBeyondADegreeAreLinesOfThePlan) {
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write("s.toml", R"(study = "s"
+[[sweep]]
+families = ["cycle", "torus", "hypercube"]
+sizes = 16
+algorithms = ["grid", "diamond"]
+)");
+  expect_output(run("{} study plan " + spec),
+                "left out: grid draws degree 3 at most, not hypercube, torus\n");
+  EXPECT_EQ(json_of("{} study plan -q --json " + spec).at("left_out").at("grid").size(), 2u);
+}
+
+/// What stands for the verbs below `above` in its help, sub-verbs for those that have some.
+std::vector<std::string> verbs_below(const std::string& above) {
+  std::istringstream help(run("{} help" + above).out);
+  std::vector<std::string> verbs;
+  std::string line;
+  while (std::getline(help, line) && line != "Subcommands:") continue;
+  while (std::getline(help, line) && line.starts_with("  ")) {
+    if (line[2] == ' ') continue;
+    const std::string verb = above + " " + line.substr(2, line.find(' ', 2) - 2);
+    const std::vector<std::string> below = verbs_below(verb);
+    verbs.insert(verbs.end(), below.begin(), below.end());
+    if (below.empty()) verbs.push_back(verb);
+  }
+  return verbs;
+}
+
+TEST(CommandLine, EveryVerbIsQuietIfAskedAndTellsItsResultAsJson) {
+  const std::set<std::string> to_a_file = {" report", " compare", " history report"};
+  // What these make is a file, or stands on standard output in a format of its own.
+  const std::set<std::string> has_none = {" generate", " draw", " view", " play", " figures"};
+  const std::vector<std::string> verbs = verbs_below("");
+  EXPECT_EQ(verbs.size(), 22u);
+  for (const std::string& verb : verbs) {
+    const std::string help = run("{} help" + verb).out;
+    const bool is_help = verb == " help";
+    EXPECT_EQ(help.find("-q,--quiet") != std::string::npos, !is_help) << verb;
+    EXPECT_EQ(help.find("--json TEXT") != std::string::npos, to_a_file.contains(verb)) << verb;
+    EXPECT_EQ(help.find("--json ") == std::string::npos, is_help || has_none.contains(verb))
+        << verb;
+  }
+}
+
+TEST(CommandLine, ResultsAreJsonIfAsked) {
+  const ScratchDirectory scratch;
+  const std::string at = "cd " + scratch.path("") + "; {} ";
+  cycles(scratch, "[5, 6]");
+  EXPECT_EQ(json_of(at + "study run --json -q s.toml -o r.h5").at("proved"), 2);
+  EXPECT_EQ(json_of(at + "study resume --json r.h5").at("results"), "r.h5");
+  EXPECT_EQ(json_of(at + "study merge --json r.h5 -o m.h5").at("rows"), 2);
+  EXPECT_EQ(json_of(at + "study count --json r.h5").at("drawings").size(), 2u);
+  EXPECT_EQ(json_of(at + "replay --json r.h5 1").at("differing_columns").size(), 0u);
+  EXPECT_EQ(json_of(at + "replay --json --all r.h5").at("replayed"), 2);
+  EXPECT_EQ(json_of(at + "hunt r.h5 1 --evaluations 3 --json -o w").at("evaluations"), 3);
+  EXPECT_EQ(json_of(at + "shrink r.h5 1 --ratio 1e-9 --json -o v").at("minimal"), true);
+  EXPECT_EQ(json_of(at + "history add --json --name a --place 1 r.h5").size(), 1u);
+  for (const char* verb : {"report r.h5 --json -", "compare --time-always r.h5 r.h5 --json -",
+                           "history report --json -"}) {
+    const Outcome told = run(at + verb);
+    EXPECT_TRUE(nlohmann::json::parse(told.out, nullptr, false).is_object()) << verb << told.out;
+  }
+  expect_error(run(at + "compare r.h5 r.h5 --json - --markdown -"), "takes one of them");
+  expect_error(run(at + "replay r.h5 0 --json -o -"), "takes one of them");
+  for (const char* verb :
+       {"study resume r.h5", "study plan s.toml", "hunt r.h5 1 --evaluations 3"}) {
+    EXPECT_EQ(run(at + verb + " -q").err, "") << verb;
+    EXPECT_NE(run(at + verb + " -q").out, "") << verb;
+  }
 }
 
 TEST(CommandLine, VerdictsAreJsonIfAsked) {

@@ -233,9 +233,31 @@ TEST_F(LivingCollection, GrowsAndKeepsWhatIsGone) {
   }
   fs::remove_all(path("coll"));
   expect_output(run(study("resume -q r.h5")), "7 rows, 7 proved");
+  for (const RunRecord& row : after.runs) {  // the graphs of the results are enough
+    const std::string of_row = path("r.h5 ") + row.row_key + " --evaluations 1 --json";
+    const auto hunted = nlohmann::json::parse(run("{} hunt -q " + of_row).out);
+    EXPECT_EQ(hunted.at("n"), row.n);
+    EXPECT_EQ(hunted.at("extents")[0], row.extents[0]);
+  }
+  expect_output(run("{} shrink " + path("r.h5 0 --measure x --ratio 0.01 -o ") + path("small")),
+                "none can go");
+  expect_error(run("{} hunt " + path("r.h5 7")), "no row '7'; rows are 0..6 or row keys");
   expect_output(run("{} replay --all " + path("r.h5")), "7 of 7 rows made again: 7 equal");
   expect_output(run("{} replay --keep all " + path("r.h5")), "");
   expect_exit(0, run("{} verify " + path("r.drawings.jsonl")));
+}
+
+TEST_F(LivingCollection, ItsOwnFilesAreNoGraphs) {
+  must(study("run -q --graphs coll --skip --algorithm diamond -o coll/r.h5"));
+  for (const char* again : {"resume coll/r.h5", "run --force --graphs coll --skip -o coll/r.h5"}) {
+    const Outcome outcome = expect_exit(0, run(study(again)));
+    EXPECT_THAT(outcome.out, HasSubstr("files    5 of 6 were read")) << again;
+    EXPECT_THAT(outcome.err, Not(HasSubstr(" new"))) << again;
+  }
+  must("{} replay --keep all " + path("coll/r.h5"));
+  must("{} replay --keep all --force " + path("coll/r.h5"));
+  expect_output(run(study("resume coll/r.h5")), "files    5 of 6 were read");
+  EXPECT_EQ(fs::exists(path("coll/r.drawings.jsonl")), true);
 }
 
 TEST_F(LivingCollection, WhatWasLeftOutIsSaidEverywhere) {
@@ -269,8 +291,16 @@ TEST_F(GraphFiles, AreTimedIfAsked) {
   expect_output(run(study("run -q --graphs cubic.s6 four.g6 --sample 3 --algorithm diamond --timed "
                           "2 --threads 1 --force-timing -o a.h5")),
                 "18 rows, 18 proved");
-  expect_output(run(study("run -q --graphs cubic.s6 --sample 3 --algorithm diamond -o b.h5")),
+  expect_output(run(study("run --graphs cubic.s6 --sample 3 --algorithm diamond -o b.h5")),
                 "times    not measured: --timed N does");
+}
+
+TEST_F(GraphFiles, AreCountedIfAsked) {
+  expect_output(run(study("run --graphs cubic.s6 --sample 2 --count --algorithm grid -o a.h5")),
+                {"2 rows, 2 proved", "counted  2 drawings"});
+  for (const RunRecord& row : read_results(path("a.h5")).runs) {
+    EXPECT_GT(row.counted_instructions, 0);
+  }
 }
 
 TEST_F(GraphFiles, FormatsOfOthersAreConvertedOrRefusedByName) {

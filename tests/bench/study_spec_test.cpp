@@ -229,7 +229,7 @@ TEST(StudySpec, NamedStudiesParse) {
   for (const NamedStudy& study : named_studies()) {
     const StudySpec spec = load_study(std::string(study.name));
     EXPECT_EQ(spec.name, study.name);
-    EXPECT_EQ(spec.description, study.description);
+    EXPECT_EQ(spec.description, study.summary);
   }
   EXPECT_EQ(find_named_study("none"), nullptr);
 }

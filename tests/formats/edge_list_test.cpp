@@ -79,10 +79,21 @@ TEST(EdgeList, ReadsOverAttributesOfNetworkx) {
             edge_set(graphs[0]));
   EXPECT_EQ(refusal("0 1 2.5 7\n"), "f:1:5: unexpected '2.5' after the edge");
   for (const char* text : {"0,1\n1,2\n", "0,1,0.5\n1,2,7\n", "source,target\n0,1\n1,2\n",
-                           "source,target,weight\na,b,1\nb,c,2\n"}) {
+                           "source,target,weight\na,b,1\nb,c,2\n", "0;1\n1;2;0.5\n",
+                           "\"0\";\"1\"\n\"1\";\"2\"\n", "\"a\",\"b\"\r\n\"b\",\"c\"\r\n",
+                           "\"Source\";\"Target\";\"Weight\"\n\"a\";\"b\";0.5\nb;\"c\";1\n",
+                           "source,target\n2,1\n0,1\n", "\"12 Elm\",\"b, c\"\n\"b, c\",\"d\"\n"}) {
     EXPECT_EQ(edge_set(read_text(text).at(0)), edge_set(graphs[0])) << text;
   }
   EXPECT_EQ(refusal("0,1\n1,x\n"), "f:2:3: expected a vertex id, found 'x'");
+  EXPECT_EQ(refusal("0;1\n1;-2\n"), "f:2:3: expected a vertex id, found '-2'");
+  EXPECT_EQ(refusal("\"a\",\"b\"\n\"b\",\"c\n"), "f:2:5: no quote ends '\"c'");
+  EXPECT_EQ(refusal("\"a\",\"b\"\n\"b\"\n"),
+            "f:2:2: expected a second name, the other end of the edge");
+  EXPECT_EQ(refusal("\"a\",\"b\",heavy\n"), "f:1:9: unexpected 'heavy' after the edge");
+  GraphReader reader(TextInput("f", bytes_of("\"a \"\"b\"\"\",\"c, d\"\n")), {});
+  EXPECT_EQ(reader.next()->num_edges(), 1u);
+  EXPECT_THAT(reader.names(), ::testing::ElementsAre("a \"b\"", "c, d"));
   EXPECT_EQ(refusal("0 1 {}\n1 0 {}\n"), "f:2: edge (1, 0) is parallel to an earlier edge");
 }
 

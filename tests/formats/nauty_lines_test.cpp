@@ -83,6 +83,16 @@ TEST(NautyLines, MixAndSkipBlankLines) {
   EXPECT_EQ(read_text("DQc").size(), 1u);  // no newline at the end
 }
 
+TEST(Digraph6, IsReadUndirected) {
+  const Graph cycle(3, {{0, 1}, {1, 2}, {0, 2}});
+  for (const char* text : {"&BP_\n", ">>digraph6<<&BP_\n", "&B\\o\n"}) {  // round, both ways
+    const Graph graph = read_text(text, {.simplify = true, .undirected = true}).at(0);
+    EXPECT_EQ(edge_set(graph), edge_set(cycle)) << text;
+  }
+  EXPECT_EQ(refusal("&BP\n", {.undirected = true}),
+            "f:1:3: 3 vertices take 2 characters after the size, found 1");
+}
+
 TEST(Graph6, LongSizes) {
   EXPECT_EQ(read_text(":~?@c\n")[0].num_vertices(), 100u);         // 18 bits
   EXPECT_EQ(read_text(":~~???~??\n")[0].num_vertices(), 258048u);  // 36 bits
@@ -97,7 +107,9 @@ TEST(Graph6, RefusesWithPlaceAndValue) {
             "f:2:2: character ' ' is not one of graph6 and sparse6 ('?' to '~')");
   EXPECT_EQ(refusal("DQ~\n"), "f:1:3: the padding bits are not zero");
   EXPECT_EQ(refusal("~?\n"), "f:1:3: the line ends too early");
-  EXPECT_EQ(refusal("&DQc\n"), "f:1:1: this is digraph6: directed graphs are not supported");
+  EXPECT_EQ(refusal("&DQc\n"),
+            "f:1:1: this is digraph6: only undirected graphs are read (--undirected drops "
+            "directions)");
   EXPECT_EQ(refusal(">>planar_code<<\n"),
             "f:1:1: unknown header '>>planar_code<<', expected '>>graph6<<' or '>>sparse6<<'");
 }
