@@ -4,7 +4,7 @@
 
 namespace ar3d {
 
-/// Describes exit codes of docs/contracts.md.
+/// Holds the exit codes of docs/contracts.md.
 enum ExitCode : int {
   kPass = 0,
   kInternalError = 1,
@@ -17,7 +17,7 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-/// Each adds one verb to the program; the verb's callback leaves its verdict in `exit_code`.
+/// Adds one verb to the program, as all below do; its callback leaves its verdict in `exit_code`.
 void add_list(CLI::App& app, int& exit_code);
 void add_generate(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,19 +36,12 @@ struct FiguresArguments {
   bool force = false;
 };
 
-std::vector<std::string> words_of(const std::string& list) {
-  std::vector<std::string> words;
-  std::istringstream in(list);
-  for (std::string word; std::getline(in, word, ',');) words.push_back(word);
-  return words;
-}
-
 /// The files that the script is to write: DIR/QUANTITY.FORMAT, or one of all quantities.
 std::vector<std::string> figure_files(const FiguresArguments& arguments) {
-  std::vector<std::string> names = words_of(arguments.quantity), files;
+  std::vector<std::string> names = CLI::detail::split(arguments.quantity, ','), files;
   if (arguments.is_grid) names = {fmt::format("{}", fmt::join(names, "-"))};
   for (const std::string& name : names) {
-    for (const std::string& format : words_of(arguments.format)) {
+    for (const std::string& format : CLI::detail::split(arguments.format, ',')) {
       files.push_back(fmt::format("{}/{}.{}", arguments.folder, name, format));
     }
   }

@@ -107,17 +107,6 @@ std::int64_t place_of(const HistoryArguments& arguments, const std::string& vers
                   printable(version.substr(0, 40)), arguments.results));
 }
 
-void copy_file(const std::string& from, const std::string& to) {
-  std::ifstream in(from, std::ios::binary);
-  NewFile file(to);
-  std::string piece(1 << 20, '\0');
-  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0) {
-    file.write_all(std::span(piece).first(static_cast<std::size_t>(in.gcount())));
-  }
-  if (in.bad() || !in.eof()) throw InputError(fmt::format("cannot read {}", from));
-  file.become_target();
-}
-
 std::string read_whole(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -159,7 +148,7 @@ int add_results(const HistoryArguments& arguments) {
   if (error) {
     throw InputError(fmt::format("cannot create {}: {}", arguments.folder, error.message()));
   }
-  copy_file(arguments.results, path);
+  write_file_atomically(path, read_whole(arguments.results));
   if (manner.json) print_json({{"added", path}});
   note(stdout, "added    {}\n", path);
   return kPass;

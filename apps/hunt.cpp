@@ -48,6 +48,8 @@ struct HuntArguments {
   std::uint64_t most_drawings = 100000;
 };
 
+/// The names of BoundShare.
+constexpr const char* kMeasures[] = {"side", "x", "y", "z", "volume"};
 constexpr EdgeId kMostEdgesInPicture = 2000;
 
 std::string algorithm_words(const HuntArguments& arguments) {
@@ -88,7 +90,7 @@ void add_subject_options(CLI::App& verb, HuntArguments& arguments) {
                   "a specification whose [[algorithm]] the algorithm may be: a program of yours");
   verb.add_option("--measure", arguments.measure,
                   "whose share of the bound counts: x, y, z, side (the largest of them) or volume")
-      ->check(one_of({"side", "x", "y", "z", "volume"}));
+      ->check(one_of({std::begin(kMeasures), std::end(kMeasures)}));
   verb.add_option("--bound", arguments.against, "theorem, or instance: the proof's for this graph")
       ->check(one_of({"theorem", "instance"}));
   verb.add_option("--seeded-fault", arguments.seeded_fault,
@@ -173,11 +175,8 @@ Subject subject_of(const HuntArguments& arguments) {
 
 RatioRule rule_of(const HuntArguments& arguments) {
   RatioRule rule;
-  for (const auto& [name, measure] :
-       {std::pair("x", BoundShare::x), std::pair("y", BoundShare::y), std::pair("z", BoundShare::z),
-        std::pair("volume", BoundShare::volume)}) {
-    if (arguments.measure == name) rule.measure = measure;
-  }
+  const auto at = std::ranges::find(kMeasures, arguments.measure);
+  rule.measure = static_cast<BoundShare>(at - std::begin(kMeasures));
   if (arguments.against == "instance") rule.against = Against::instance;
   return rule;
 }

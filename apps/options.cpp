@@ -10,6 +10,19 @@
 #include "ar3d/base/nearest_name.h"
 
 namespace ar3d {
+namespace {
+
+CLI::Validator number_that(std::function<bool(double)> fits, std::string range) {
+  return {[fits = std::move(fits), range = std::move(range)](std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && fits(value))
+              return {};
+            return fmt::format("'{}' is not a number{}", text, range);
+          },
+          "NUMBER"};
+}
+
+}  // namespace
 
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
   return {[low, high](std::string& text) -> std::string {
@@ -26,22 +39,13 @@ CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
 }
 
 CLI::Validator finite_number(bool positive) {
-  return {[positive](std::string& text) -> std::string {
-            double value = 0;
-            const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-            if (is_number && (value > 0 || !positive)) return {};
-            return fmt::format("'{}' is not a number{}", text, positive ? " above 0" : "");
-          },
-          "NUMBER"};
+  return number_that([positive](double value) { return value > 0 || !positive; },
+                     positive ? " above 0" : "");
 }
 
 CLI::Validator number_between(double low, double high) {
-  return {[low, high](std::string& text) -> std::string {
-            double value = 0;
-            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
-            return fmt::format("'{}' is not a number from {} to {}", text, low, high);
-          },
-          "NUMBER"};
+  return number_that([low, high](double value) { return value >= low && value <= high; },
+                     fmt::format(" from {} to {}", low, high));
 }
 
 CLI::Validator one_of(std::vector<std::string> known) {
@@ -73,13 +77,6 @@ CLI::Option* add_json(CLI::App& verb) {
 
 void print_json(const nlohmann::ordered_json& json) {
   say("{}\n", json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
-}
-
-void add_making_options(CLI::App& verb, SessionPolicy& policy) {
-  verb.add_flag("--isolate", policy.isolate,
-                "make rows in processes of their own: a crash is one row's status");
-  verb.add_flag("--force-timing", policy.force_timing,
-                "time even in a debug or sanitised build (its rows are marked)");
 }
 
 ReadOptions GraphInput::read_options() const {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "ar3d/base/say.h"
-#include "ar3d/bench/run/session.h"
 #include "ar3d/formats/graphs/graph_format.h"
 
 // Options that several verbs have, and what their values may be.
@@ -61,9 +60,6 @@ void tell(const nlohmann::ordered_json& json, fmt::format_string<Values...> form
   if (manner.json) return print_json(json);
   say(format, std::forward<Values>(values)...);
 }
-
-/// Adds the options of every verb that makes rows of a study.
-void add_making_options(CLI::App& verb, SessionPolicy& policy);
 
 /// Holds how a graph file is to be read, as every verb that reads one is told.
 struct GraphInput {

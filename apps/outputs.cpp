@@ -2,7 +2,6 @@
 #include "outputs.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
@@ -23,43 +22,33 @@
 namespace ar3d {
 namespace {
 
+namespace fs = std::filesystem;
+
 // The value of the attribute `format` of every results file (results/SCHEMA.md).
 constexpr const char* kResultsMark = "ar3d-results";
 
 bool is_file_name(const std::string& path) { return !path.empty() && path != "-"; }
 
 bool is_regular(const std::string& path) {
-  struct stat status {};
-  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
-}
-
-// A file without a byte (of mktemp, or of a shell's >) holds nothing to lose.
-bool is_empty(const std::string& path) {
-  struct stat status {};
-  return stat(path.c_str(), &status) == 0 && status.st_size == 0;
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
 }
 
 // Whether both names lead to one file, be it there already or not. Devices may be named twice.
 bool are_one_file(const std::string& a, const std::string& b) {
-  struct stat left {};
-  struct stat right {};
-  const bool a_exists = stat(a.c_str(), &left) == 0;
-  const bool b_exists = stat(b.c_str(), &right) == 0;
-  if (a_exists && b_exists) {
-    const bool same = left.st_dev == right.st_dev && left.st_ino == right.st_ino;
-    return same && S_ISREG(left.st_mode);
+  std::error_code error;
+  if (fs::exists(a, error) || fs::exists(b, error)) {
+    return fs::equivalent(a, b, error) && is_regular(a);
   }
-  if (a_exists || b_exists) return false;
-  std::error_code error_a;
-  std::error_code error_b;
-  const auto path_a = std::filesystem::weakly_canonical(std::filesystem::absolute(a), error_a);
-  const auto path_b = std::filesystem::weakly_canonical(std::filesystem::absolute(b), error_b);
-  return !error_a && !error_b && path_a == path_b;
+  const auto resolved = [&](const std::string& path) {
+    return fs::weakly_canonical(fs::absolute(path), error);
+  };
+  return resolved(a) == resolved(b) && !error;
 }
 
 void refuse_needed(const std::string& path, const VerbFiles& files) {
   std::error_code error;
-  if (std::filesystem::is_symlink(path, error) && !std::filesystem::exists(path, error)) {
+  if (fs::is_symlink(path, error) && !fs::exists(path, error)) {
     throw InputError(fmt::format("cannot write {}: it is a symbolic link to nothing", path));
   }
   if (!is_regular(path)) return;
@@ -69,7 +58,9 @@ void refuse_needed(const std::string& path, const VerbFiles& files) {
   }
   const bool can_be_made_again =
       path == files.page && beginning.find(files.page_is) != std::string::npos;
-  if (files.force || can_be_made_again || is_empty(path)) return;
+  if (files.force || can_be_made_again) return;
+  // A file without a byte (of mktemp, or of a shell's >) holds nothing to lose.
+  if (fs::file_size(path, error) == 0) return;
   const bool is_results = beginning.starts_with("\x89HDF\r\n\x1a\n") &&
                           beginning.find(kResultsMark) != std::string::npos;
   throw InputError(fmt::format("{} exists{}; --force replaces it", path,
@@ -154,6 +145,7 @@ std::vector<std::string> files_of_study(const StudyIdentity& identity, const std
   StudySpec spec = recorded_study(identity, results);
   spec.own_files = own_files_of(results);
   std::vector<std::string> files = graph_files_of(spec);
+  files.push_back(results);
   for (const auto& program : spec.programs) {
     for (const std::string& word : program->command) {
       if (is_regular(word)) files.push_back(word);

@@ -45,12 +45,12 @@ void write_json(const std::string& path, const std::string& text);
 /// @param own  endings that fit, the first of them to be advised. @throws InputError naming both.
 void refuse_foreign_ending(const std::string& path, const std::vector<std::string>& own);
 
-/// Returns what a row of a study is made from besides its results file: the files of its graphs,
-/// and those of its programs' commands that are files.
+/// Returns what a row of a study is made from: its results file, the files of its graphs, and those
+/// of its programs' commands that are files.
 std::vector<std::string> files_of_study(const StudyIdentity& identity, const std::string& results);
 
-/// For a report whose name the user has not given, since it follows from that of the results: what
-/// stands there may be replaced only if it is a report of ar3d. @throws InputError naming the file.
+/// Refuses to replace what is no report of ar3d by a report whose name nobody has given, since it
+/// follows from that of the results. @throws InputError naming the file.
 void refuse_foreign_page(const std::string& page, const std::string& results);
 
 }  // namespace ar3d

@@ -158,21 +158,12 @@ int run(int argc, char** argv) {
   int exit_code = ar3d::kPass;
   ar3d::manner = {};
   ar3d::register_program_formats();
-  ar3d::add_list(app, exit_code);
-  ar3d::add_generate(app, exit_code);
-  ar3d::add_draw(app, exit_code);
-  ar3d::add_view(app, exit_code);
-  ar3d::add_play(app, exit_code);
-  ar3d::add_verify(app, exit_code);
-  ar3d::add_study(app, exit_code);
-  ar3d::add_check(app, exit_code);
-  ar3d::add_report(app, exit_code);
-  ar3d::add_figures(app, exit_code);
-  ar3d::add_compare(app, exit_code);
-  ar3d::add_history(app, exit_code);
-  ar3d::add_replay(app, exit_code);
-  ar3d::add_hunt(app, exit_code);
-  ar3d::add_shrink(app, exit_code);
+  using namespace ar3d;
+  for (const auto add :
+       {add_list, add_generate, add_draw, add_view, add_play, add_verify, add_study, add_check,
+        add_report, add_figures, add_compare, add_history, add_replay, add_hunt, add_shrink}) {
+    add(app, exit_code);
+  }
   add_help(app);
   complete_verbs(app);
   if (argc == 1) {

@@ -1,5 +1,5 @@
 // Rows made again: one, a sample, all, or those whose drawings are kept.
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <charconv>
@@ -37,13 +37,6 @@ struct ReplayArguments {
   std::optional<std::string> keep;
 };
 
-void write_drawing(const RunRecord& row, const StudyOrigin& origin, const DrawingFormat& format,
-                   const std::string& path) {
-  const std::string where =
-      fmt::format("{} {} n={} seed {}", row.family, row.parameters, row.n, row.seed);
-  write_drawing(format, redrawn(row, origin), where, path);
-}
-
 /// @throws InputError if the row was drawn by a program of the study's own that is another one now.
 void refuse_changed_program(StudySpec spec, const RunRecord& row, const Results& results,
                             const std::string& path) {
@@ -58,20 +51,22 @@ int replay_row(const ReplayArguments& arguments) {
   if (manner.json && arguments.output == "-") {
     throw InputError("--json and -o - : standard output takes one of them");
   }
-  refuse_unsafe_outputs({.inputs = {arguments.results, arguments.graphs},
-                         .outputs = {arguments.output},
-                         .force = arguments.force});
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   const Results results = read_results(arguments.results);
   const RunRecord& then = find_row(results, *arguments.row, arguments.results);
-  refuse_unsafe_outputs({.inputs = files_of_study(results, arguments.results),
-                         .outputs = {arguments.output},
-                         .force = arguments.force});
+  std::vector<std::string> inputs = files_of_study(results, arguments.results);
+  inputs.push_back(arguments.graphs);
+  refuse_unsafe_outputs(
+      {.inputs = inputs, .outputs = {arguments.output}, .force = arguments.force});
   StudyOrigin origin = study_origin(results);
   origin.moved_graphs = arguments.graphs;
   if (origin.spec) refuse_changed_program(*origin.spec, then, results, arguments.results);
   const RunRecord now = replayed(then, origin);
-  if (!arguments.output.empty()) write_drawing(then, origin, format, arguments.output);
+  const std::string which =
+      fmt::format("{} {} n={} seed {}", then.family, then.parameters, then.n, then.seed);
+  if (!arguments.output.empty()) {
+    write_drawing(format, redrawn(then, origin), which, arguments.output);
+  }
   const std::vector<std::string> differing = differing_columns(then, now);
   if (manner.json) {
     print_json({{"row_key", then.row_key},
@@ -79,9 +74,8 @@ int replay_row(const ReplayArguments& arguments) {
                 {"message", now.message},
                 {"differing_columns", differing}});
   }
-  std::string text =
-      fmt::format("{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n,
-                  then.seed, then.algorithm, then.options, to_string(now.status));
+  std::string text = fmt::format("{} with {} {}: {}\n", which, then.algorithm, then.options,
+                                 to_string(now.status));
   if (!now.message.empty() && now.message != then.message) text += printable(now.message) + "\n";
   for (const std::string& column : differing)
     text += fmt::format("column {} differs from the recorded row\n", column);
@@ -90,14 +84,6 @@ int replay_row(const ReplayArguments& arguments) {
   if (!manner.json) say(arguments.output == "-" ? stderr : stdout, "{}", text);
   if (now.status == RunStatus::violated) return kViolated;
   return differing.empty() ? kPass : kRegression;
-}
-
-void print_irreproducible(const Results& results, const IrreproducibleRow& row) {
-  const RunRecord& run = results.runs[row.row];
-  std::string columns;
-  for (const std::string& name : row.columns) columns += " " + name;
-  say("row {} ({} n={} with {} {}) differs in{}\n", row.row, run.family, run.n, run.algorithm,
-      run.options, columns);
 }
 
 int replay_rows(const ReplayArguments& arguments) {
@@ -117,7 +103,9 @@ int replay_rows(const ReplayArguments& arguments) {
   nlohmann::ordered_json differing = nlohmann::ordered_json::array();
   for (const IrreproducibleRow& row : check.irreproducible) {
     differing.push_back({{"row", row.row}, {"columns", row.columns}});
-    if (!manner.json) print_irreproducible(results, row);
+    const RunRecord& run = results.runs[row.row];
+    note(stdout, "row {} ({} n={} with {} {}) differs in {}\n", row.row, run.family, run.n,
+         run.algorithm, run.options, fmt::join(row.columns, " "));
   }
   tell({{"rows", results.runs.size()},
         {"replayed", check.replayed},
@@ -139,7 +127,8 @@ int replay(const ReplayArguments& arguments) {
   }
   if (arguments.row) return replay_row(arguments);
   if (!arguments.keep) return replay_rows(arguments);
-  return keep_drawings({arguments.results, *arguments.keep, arguments.output, arguments.force});
+  return keep_drawings(arguments.results, parse_kept_drawings(*arguments.keep), arguments.output,
+                       arguments.force);
 }
 
 }  // namespace

@@ -189,7 +189,10 @@ void add_common(CLI::App& verb, RunArguments& arguments) {
       ->default_str("")
       ->check(whole_number(1, 1024));
   add_json(verb);
-  add_making_options(verb, arguments.policy);
+  verb.add_flag("--isolate", arguments.policy.isolate,
+                "make rows in processes of their own: a crash is one row's status");
+  verb.add_flag("--force-timing", arguments.policy.force_timing,
+                "time even in a debug or sanitised build (its rows are marked)");
 }
 
 Shard shard_of(const std::string& text) {
@@ -261,36 +264,26 @@ void tell_growth(const StudySpec& spec) {
   }
 }
 
-// @throws InputError naming what is no status, or none whose rows are worth making again.
-std::vector<RunStatus> statuses(const std::vector<std::string>& words) {
-  constexpr RunStatus kAll[] = {RunStatus::timeout, RunStatus::out_of_memory, RunStatus::crashed,
-                                RunStatus::refused, RunStatus::violated};
-  std::vector<RunStatus> statuses;
-  for (const std::string& word : words) {
-    const auto at = std::find_if(std::begin(kAll), std::end(kAll),
-                                 [&](RunStatus status) { return word == to_string(status); });
-    if (at == std::end(kAll)) {
-      throw InputError(fmt::format(
-          "--again '{}': rows that can be made again are timeout, out_of_memory, crashed, refused "
-          "and violated",
-          printable(word)));
-    }
-    statuses.push_back(*at);
-  }
-  return statuses;
-}
+// Whose rows are worth making again.
+constexpr RunStatus kToMakeAgain[] = {RunStatus::timeout, RunStatus::out_of_memory,
+                                      RunStatus::crashed, RunStatus::refused, RunStatus::violated};
 
 void add_resume(CLI::App& study, int& exit_code) {
   CLI::App* verb = study.add_subcommand("resume", "Goes on with a study that was ended early");
   const auto arguments = std::make_shared<RunArguments>();
   verb->add_option("FILE", arguments->study, "its results file or its journal")->required();
+  std::vector<std::string> names;
+  for (const RunStatus status : kToMakeAgain) names.emplace_back(to_string(status));
   verb->add_option("--again", arguments->again,
-                   "make rows with this status again: timeout, out_of_memory, crashed, refused, "
-                   "violated; may be given several times");
+                   "make rows with this status again; may be given several times")
+      ->check(one_of(names));
   add_common(*verb, *arguments);
   verb->footer("Rows that are there stay as they are.\nExample: ar3d study resume ar3d-quick.h5");
   verb->callback([arguments, &exit_code] {
-    const std::vector<RunStatus> again = statuses(arguments->again);
+    std::vector<RunStatus> again;
+    std::ranges::copy_if(kToMakeAgain, std::back_inserter(again), [&](RunStatus status) {
+      return std::ranges::count(arguments->again, to_string(status)) > 0;
+    });
     exit_code = make_study(*arguments, [&] {
       JournaledStudy study = begun_study(arguments->study);
       study.again = again;

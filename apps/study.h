@@ -10,7 +10,7 @@
 
 namespace ar3d {
 
-/// Verbs of `ar3d study` that have files of their own.
+/// Adds verbs of `ar3d study` that have files of their own.
 void add_study_status(CLI::App& study, int& exit_code);
 void add_study_plan(CLI::App& study, int& exit_code);
 void add_study_count(CLI::App& study, int& exit_code);
@@ -22,31 +22,25 @@ struct StudyChoice {
   GraphInput reading;  ///< of the graphs
 };
 
+/// Adds STUDY, --graphs and what goes with it.
 void add_study_choice(CLI::App& verb, StudyChoice& choice);
 
-/// @throws InputError as load_study; unless exactly one of STUDY and --graphs is given.
+/// Returns the study that was chosen. @throws InputError as load_study; unless exactly one of STUDY
+/// and --graphs is given.
 StudySpec chosen_study(const StudyChoice& choice);
 
-/// Before any work: @throws InputError if the study cannot be made with this policy (bad build, too
-/// few cores) or, for large sizes and for rows with limits, if a cell is estimated to be
-/// impossible.
+/// Refuses a study before any work that cannot be made with this policy (bad build, too few cores).
+/// For large sizes and for rows with limits it estimates the cells, too. @throws InputError
 void refuse_impossible_study(const StudySpec& spec, const SessionPolicy& policy);
 
 /// Returns the row with that key, or with that number from 0. @throws InputError naming the file if
 /// there is none.
 const RunRecord& find_row(const Results& results, const std::string& row, const std::string& path);
 
-/// `ar3d replay --keep`.
-struct KeepArguments {
-  std::string results;
-  std::string keep;    ///< worst, violated or all
-  std::string output;  ///< empty: RESULTS.drawings.jsonl
-  bool force = false;
-};
-
-/// Draws rows again and writes their drawings. @return the exit code. @throws InputError if a file
-/// cannot be read or must not be written.
-int keep_drawings(const KeepArguments& arguments);
+/// Draws rows again and writes their drawings. @param output  empty: RESULTS.drawings.jsonl.
+/// @return the exit code. @throws InputError if a file cannot be read or must not be written.
+int keep_drawings(const std::string& results, KeptDrawings kept, const std::string& output,
+                  bool force);
 
 /// Writes the drawings that a study keeps beside its results file, and tells where they are. What
 /// stands there is replaced if it is a file of drawings or `force` is given; else nothing is

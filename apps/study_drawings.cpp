@@ -60,12 +60,6 @@ struct CountArguments {
 
 int count(const CountArguments& arguments) {
   const std::string path = arguments.output.empty() ? arguments.results : arguments.output;
-  if (!arguments.output.empty()) {
-    refuse_unsafe_outputs({.inputs = {arguments.results},
-                           .outputs = {path},
-                           .force = arguments.force,
-                           .streams = false});
-  }
   Results results = read_results(arguments.results);
   if (!arguments.output.empty()) {
     refuse_unsafe_outputs({.inputs = files_of_study(results, arguments.results),
@@ -113,21 +107,19 @@ void add_draw_counted(CLI::App& study) {
 
 }  // namespace
 
-int keep_drawings(const KeepArguments& arguments) {
-  const std::string path =
-      arguments.output.empty() ? drawings_path(arguments.results) : arguments.output;
-  refuse_unsafe_outputs(
-      {.inputs = {arguments.results}, .outputs = {path}, .force = arguments.force});
-  const StudyRows rows(arguments.results);
-  refuse_unsafe_outputs({.inputs = files_of_study(*rows.view().identity, arguments.results),
+int keep_drawings(const std::string& results, KeptDrawings kept, const std::string& output,
+                  bool force) {
+  const std::string path = output.empty() ? drawings_path(results) : output;
+  const StudyRows rows(results);
+  refuse_unsafe_outputs({.inputs = files_of_study(*rows.view().identity, results),
                          .outputs = {path},
-                         .force = arguments.force});
+                         .force = force});
   if (const std::string format = drawing_format("", path).name; format != "jsonl") {
     throw InputError(fmt::format(
         "-o {}: JSON lines are written, not {}; `ar3d draw` and `replay` of a ROW write others",
         path, format));
   }
-  return write_drawings(path, rows.view(), parse_kept_drawings(arguments.keep));
+  return write_drawings(path, rows.view(), kept);
 }
 
 int keep_drawings_beside(const std::string& results, const RowView& rows, KeptDrawings kept,

@@ -21,7 +21,6 @@
 #include "ar3d/verify/examination.h"
 #include "batches.h"
 #include "commands.h"
-#include "drawing_summary.h"
 #include "options.h"
 #include "several_inputs.h"
 #include "view.h"

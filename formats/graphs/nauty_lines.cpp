@@ -100,7 +100,7 @@ bool looks_like_graph6(const InputHead& head) {
   if (head.text.starts_with(">>")) return !head.text.starts_with(">>sparse6");
   const std::string_view line = head.text.substr(0, head.text.find_first_of("\r\n"));
   return !line.empty() && ((line[0] >= '?' && line[0] <= '~') || line[0] == '&') &&
-         line.find_first_of(" \t,") == std::string_view::npos && line != "LEDA.GRAPH";
+         line.find_first_of(" \t,;") == std::string_view::npos && line != "LEDA.GRAPH";
 }
 
 bool looks_like_sparse6(const InputHead& head) {

@@ -82,7 +82,8 @@ TEST(EdgeList, ReadsOverAttributesOfNetworkx) {
                            "source,target,weight\na,b,1\nb,c,2\n", "0;1\n1;2;0.5\n",
                            "\"0\";\"1\"\n\"1\";\"2\"\n", "\"a\",\"b\"\r\n\"b\",\"c\"\r\n",
                            "\"Source\";\"Target\";\"Weight\"\n\"a\";\"b\";0.5\nb;\"c\";1\n",
-                           "source,target\n2,1\n0,1\n", "\"12 Elm\",\"b, c\"\n\"b, c\",\"d\"\n"}) {
+                           "source,target\n2,1\n0,1\n", "source;target\n0;1\n2;1\n",
+                           "\"12 Elm\",\"b, c\"\n\"b, c\",\"d\"\n"}) {
     EXPECT_EQ(edge_set(read_text(text).at(0)), edge_set(graphs[0])) << text;
   }
   EXPECT_EQ(refusal("0,1\n1,x\n"), "f:2:3: expected a vertex id, found 'x'");
