@@ -51,13 +51,13 @@ int replay_row(const ReplayArguments& arguments) {
   if (manner.json && arguments.output == "-") {
     throw InputError("--json and -o - : standard output takes one of them");
   }
-  const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   const Results results = read_results(arguments.results);
   const RunRecord& then = find_row(results, *arguments.row, arguments.results);
   std::vector<std::string> inputs = files_of_study(results, arguments.results);
   inputs.push_back(arguments.graphs);
   refuse_unsafe_outputs(
       {.inputs = inputs, .outputs = {arguments.output}, .force = arguments.force});
+  const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   StudyOrigin origin = study_origin(results);
   origin.moved_graphs = arguments.graphs;
   if (origin.spec) refuse_changed_program(*origin.spec, then, results, arguments.results);

@@ -77,9 +77,9 @@ TEST_F(Outputs, AreNotTheFilesThatAStudyReads) {
 
 TEST_F(Outputs, AreNoFileNamedLikeStandardOutput) {
   for (const char* command :
-       {"report r.h5 -o -", "report r.h5 --rows -", "compare r.h5 other.h5 --json -",
+       {"report r.h5 -o -", "report r.h5 --rows -", "compare r.h5 other.h5 --json - --markdown -",
         "study run smoke -q -o -", "study merge r.h5 -o -", "study status r.h5 --snapshot -",
-        "history report --json -"}) {
+        "history report -o -"}) {
     expect_exit(2, run("cd " + scratch_.path("") + " && {} " + command));
     EXPECT_FALSE(fs::exists(scratch_.path("-"))) << command;
   }
