@@ -26,21 +26,6 @@ namespace ar3d {
 namespace {
 
 constexpr const char* kAbsent = "absent";
-}  // namespace
-
-std::string proc_value(const std::string& path, const std::string& key) {
-  std::ifstream in(path);
-  for (std::string line; std::getline(in, line);) {
-    if (!line.starts_with(key)) continue;
-    const std::size_t colon = line.find(':');
-    if (colon == std::string::npos) continue;
-    const std::size_t start = line.find_first_not_of(" \t", colon + 1);
-    return start == std::string::npos ? "" : line.substr(start);
-  }
-  return kAbsent;
-}
-
-namespace {
 
 std::string first_line(const std::string& path) {
   std::ifstream in(path);
@@ -133,6 +118,18 @@ void add_libraries(std::vector<EnvironmentEntry>& entries) {
 }
 
 }  // namespace
+
+std::string proc_value(const std::string& path, const std::string& key) {
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with(key)) continue;
+    const std::size_t colon = line.find(':');
+    if (colon == std::string::npos) continue;
+    const std::size_t start = line.find_first_not_of(" \t", colon + 1);
+    return start == std::string::npos ? "" : line.substr(start);
+  }
+  return kAbsent;
+}
 
 std::string source_hash() { return AR3D_SOURCE_HASH; }
 

@@ -170,6 +170,26 @@ RunRecord order_of(const std::string& line) {
   return row;
 }
 
+// Of drawings that one process makes one after the other: rows of one graph that stand together
+// have it generated once. Empty if it was interrupted.
+std::vector<DrawingCounts> count_drawings(const std::vector<const RunRecord*>& rows,
+                                          const StudyOrigin& origin) {
+  if (const std::string problem = counting_problem(); !problem.empty()) throw InputError(problem);
+  const ScratchFolder scratch;
+  const std::string orders = scratch.file("orders"), output = scratch.file("counts");
+  write_orders(rows, origin, scratch, orders);
+  double limit_s = 600;  // a generous one: only a valgrind that hangs needs that long
+  for (const RunRecord* row : rows) limit_s += 1 + 0.1 * static_cast<double>(row->n);
+  const int exit_code =
+      run_child(command_line(orders, output),
+                {.output = "/dev/null", .ends_when_interrupted = true, .limit_s = limit_s});
+  if (is_interrupted()) return {};
+  std::vector<DrawingCounts> counts = parts_of(output);
+  if (exit_code == 0 && counts.size() == rows.size()) return counts;
+  throw InputError(fmt::format("callgrind ended with code {} behind {} of {} drawings", exit_code,
+                               counts.size(), rows.size()));
+}
+
 }  // namespace
 
 std::string counting_problem() {
@@ -205,30 +225,6 @@ void draw_for_counting(const std::string& file) {
     ar3d_counted_drawing(&*graph, &choice);
   }
 }
-
-namespace {
-
-// Of drawings that one process makes one after the other: rows of one graph that stand together
-// have it generated once. Empty if it was interrupted.
-std::vector<DrawingCounts> count_drawings(const std::vector<const RunRecord*>& rows,
-                                          const StudyOrigin& origin) {
-  if (const std::string problem = counting_problem(); !problem.empty()) throw InputError(problem);
-  const ScratchFolder scratch;
-  const std::string orders = scratch.file("orders"), output = scratch.file("counts");
-  write_orders(rows, origin, scratch, orders);
-  double limit_s = 600;  // a generous one: only a valgrind that hangs needs that long
-  for (const RunRecord* row : rows) limit_s += 1 + 0.1 * static_cast<double>(row->n);
-  const int exit_code =
-      run_child(command_line(orders, output),
-                {.output = "/dev/null", .ends_when_interrupted = true, .limit_s = limit_s});
-  if (is_interrupted()) return {};
-  std::vector<DrawingCounts> counts = parts_of(output);
-  if (exit_code == 0 && counts.size() == rows.size()) return counts;
-  throw InputError(fmt::format("callgrind ended with code {} behind {} of {} drawings", exit_code,
-                               counts.size(), rows.size()));
-}
-
-}  // namespace
 
 std::size_t fill_counts(Results& results, std::int64_t max_n) {
   const StudyOrigin origin = study_origin(results);

@@ -63,6 +63,23 @@ void require_name(const toml::node& node, const std::string& name) {
                                          : "is no name: 1 to 47 letters, digits, '.', '-' or '_'"));
 }
 
+std::vector<std::int64_t> option_values(const toml::node& given, const std::string& option,
+                                        const std::vector<std::string>& command) {
+  const bool is_used = std::ranges::any_of(command, [&](const std::string& word) {
+    return word.find("{" + option + "}") != std::string::npos;
+  });
+  if (!is_used) {
+    refuse_toml(given, fmt::format("unknown key '{}': no key of a program, and the command "
+                                   "has no {{{}}} for it as an option",
+                                   printable(option), printable(option)));
+  }
+  std::vector<std::int64_t> values;
+  for (const toml::node* value : toml_list(given, printable(option))) {
+    values.push_back(toml_integer(*value, option, -kAny - 1, kAny));
+  }
+  return values;
+}
+
 }  // namespace
 
 ProgramEntry read_program(const toml::node& node) {
@@ -99,23 +116,6 @@ ProgramEntry read_program(const toml::node& node) {
     program.has_guarantee = true;
     program.row.guarantee = read_guarantee(guarantee);
   };
-  const auto read_option = [&](const toml::node& given, const std::string& option) {
-    const bool is_used = std::ranges::any_of(program.command, [&](const std::string& word) {
-      return word.find("{" + option + "}") != std::string::npos;
-    });
-    if (!is_used) {
-      refuse_toml(given, fmt::format("unknown key '{}': no key of a program, and the command "
-                                     "has no {{{}}} for it as an option",
-                                     printable(option), printable(option)));
-    }
-    std::vector<std::int64_t> values;
-    for (const toml::node* value : toml_list(given, printable(option))) {
-      values.push_back(toml_integer(*value, option, -kAny - 1, kAny));
-    }
-    program.row.options.push_back({option, -kAny - 1, kAny, values.front(), "of the program"});
-    first.push_back({option, values.front()});
-    entry.options.push_back({option, std::move(values)});
-  };
   program.row.guarantee = no_guarantee();
   program.row.summary = "a program of the study";
   read_toml_table(
@@ -128,7 +128,12 @@ ProgramEntry read_program(const toml::node& node) {
        {"time_limit_s", number_into(program.time_limit_s, 1e-3, 1e6)},
        {"time_limit_s_per_vertex", number_into(program.time_limit_s_per_vertex, 0, 1e6)},
        {"guarantee", read_guarantee_of_program}},
-      read_option);
+      [&](const toml::node& given, const std::string& option) {
+        entry.options.push_back({option, option_values(given, option, program.command)});
+        const std::int64_t first_value = entry.options.back().values.front();
+        program.row.options.push_back({option, -kAny - 1, kAny, first_value, "of the program"});
+        first.push_back({option, first_value});
+      });
   with_place(node, [&] { command_with(program, first); });
   entry.program = std::make_shared<const ExternalAlgorithm>(std::move(program));
   return entry;
