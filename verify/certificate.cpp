@@ -11,7 +11,6 @@
 #include "ar3d/verify/counting/column_proof.h"
 #include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/crossings/contacts.h"
-#include "ar3d/verify/crossings/crossings.h"
 #include "ar3d/verify/crossings/segments.h"
 #include "ar3d/verify/examination.h"
 #include "ar3d/verify/metrics/summary_pass.h"

@@ -1,13 +1,12 @@
 // The two crossing tests. One compares every pair: it is the oracle, so it stays plain. The other
 // cuts at the heights that no segment crosses, and each slab by halving space (Steps V.12 to V.14),
 // as the proof by counting does with slanted segments.
-#include "ar3d/verify/crossings/crossings.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "ar3d/verify/crossings/contacts.h"
 #include "ar3d/verify/crossings/near_pairs.h"
 
 namespace ar3d::verify {
