@@ -59,15 +59,15 @@ constexpr std::array<std::array<PerLevel, kStates>, kLevels> kExtremes = extreme
 /// all four levels at once.
 class Sweeper {
  public:
-  Sweeper(const UnwrittenVector<Row>& rows, const strips::NumbersAhead& random)
+  Sweeper(const UnwrittenVector<PaddedRow>& rows, const strips::NumbersAhead& random)
       : rows_(rows), random_(random), state_(rows.size(), 0) {
-    for_each(rows, [&](const Row& row) {
+    for_each(rows, [&](const PaddedRow& row) {
       const unsigned used = levels_of_neighbours(row);
       unsigned level = random_level();
       while ((used >> level & 1) != 0) level = random_level();
       state_[row.v] = static_cast<std::uint8_t>(level);
     });
-    for_each(rows, [&](const Row& row) {
+    for_each(rows, [&](const PaddedRow& row) {
       unsigned left = 0;
       for (const HalfEdge& edge : row.edges()) {
         left += level_of(state_[edge.to]) < level_of(state_[row.v]) ? 1 : 0;
@@ -78,7 +78,7 @@ class Sweeper {
   }
 
   void sweep() {
-    for_each(rows_, [&](const Row& row) { improve(row); });
+    for_each(rows_, [&](const PaddedRow& row) { improve(row); });
   }
 
   /// Some vertices and their neighbours, from a new random start: there the sweeps are stuck. Their
@@ -88,7 +88,7 @@ class Sweeper {
     is_repairing_ = true;
     for (const Vertex v : touched_) state_[v] = static_cast<std::uint8_t>(state_[v] & ~kTouched);
     touched_.clear();
-    UnwrittenVector<Row> rows;
+    UnwrittenVector<PaddedRow> rows;
     rows.reserve(4 * vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (i + 2 * kAhead < vertices.size()) __builtin_prefetch(&rows_[vertices[i + 2 * kAhead]]);
@@ -97,14 +97,14 @@ class Sweeper {
           __builtin_prefetch(&rows_[edge.to]);
         }
       }
-      const Row& row = rows_[vertices[i]];
+      const PaddedRow& row = rows_[vertices[i]];
       rows.push_back(row);
       for (const HalfEdge& edge : row.edges()) rows.push_back(rows_[edge.to]);
       const unsigned level = random_level();
       if ((levels_of_neighbours(row) >> level & 1) == 0) move(row, level);
     }
     for (int sweep = 0; sweep < kSweepsOfRepair; ++sweep) {
-      for_each(rows, [&](const Row& row) { improve(row); });
+      for_each(rows, [&](const PaddedRow& row) { improve(row); });
     }
     return touched_;
   }
@@ -125,8 +125,8 @@ class Sweeper {
   static constexpr std::uint32_t kAhead = 16;
 
   template <class Visit>
-  void for_each(const UnwrittenVector<Row>& rows, Visit visit) {
-    const std::span<const Row> all(rows);
+  void for_each(const UnwrittenVector<PaddedRow>& rows, Visit visit) {
+    const std::span<const PaddedRow> all(rows);
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (i + kAhead < all.size()) {
         for (const HalfEdge& edge : all[i + kAhead].half) __builtin_prefetch(&state_[edge.to]);
@@ -138,7 +138,7 @@ class Sweeper {
   unsigned random_level() { return random_.below(kLevels); }
 
   /// A bit for each.
-  unsigned levels_of_neighbours(const Row& row) const {
+  unsigned levels_of_neighbours(const PaddedRow& row) const {
     unsigned used = 0;
     for (const HalfEdge& edge : row.edges()) used |= 1u << level_of(state_[edge.to]);
     return used;
@@ -146,7 +146,7 @@ class Sweeper {
 
   /// Moves a vertex to the level with the fewest sources and sinks among it and its neighbours, a
   /// random one of equals: standing still would end in a poor order.
-  void improve(const Row& row) {
+  void improve(const PaddedRow& row) {
     const unsigned own = level_of(state_[row.v]);
     unsigned used = 1u << own;
     unsigned extremes = 0;
@@ -171,7 +171,7 @@ class Sweeper {
     move(row, best);
   }
 
-  void move(const Row& row, unsigned level) {
+  void move(const PaddedRow& row, unsigned level) {
     const unsigned own = level_of(state_[row.v]);
     if (level == own) return;
     unsigned left = 0;
@@ -195,7 +195,7 @@ class Sweeper {
     touched_.push_back(v);
   }
 
-  const UnwrittenVector<Row>& rows_;
+  const UnwrittenVector<PaddedRow>& rows_;
   strips::NumbersAhead random_;
   LongVector<std::uint8_t> state_;  ///< by vertex
   bool is_repairing_ = false;
@@ -230,7 +230,7 @@ std::vector<Position> positions_by_paths(const Graph& graph, const Order& order)
 }  // namespace
 
 NarrowOrder narrow_order(const Graph& graph, const strips::NumbersAhead& random, int repairs) {
-  const UnwrittenVector<Row> rows = rows_of(graph);
+  const UnwrittenVector<PaddedRow> rows = rows_of(graph);
   Sweeper sweeper(rows, random);
   for (int i = 0; i < kSweeps; ++i) sweeper.sweep();
   Order order = sweeper.order();

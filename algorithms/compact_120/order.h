@@ -19,13 +19,13 @@ struct Order {
 };
 
 /// A vertex and its edges, in half a cache line: read at random, it costs one wait for memory.
-struct alignas(32) Row {
+struct alignas(32) PaddedRow {
   std::array<HalfEdge, 3> half{};  ///< behind its degree: to itself
   Vertex v = 0;
   std::uint32_t degree = 0;
   std::span<const HalfEdge> edges() const { return {half.data(), degree}; }
 };
-UnwrittenVector<Row> rows_of(const Graph& graph);
+UnwrittenVector<PaddedRow> rows_of(const Graph& graph);
 
 /// Greedy colouring in order of vertex numbers in which vertices at distance 1 or 2 differ: colours
 /// 0 .. 9 for maximum degree 3. O(n).
@@ -69,7 +69,7 @@ Owners choose_owners(const Graph& graph, const Order& order);
 class ChangingOwners {
  public:
   /// O(n). @param rows  outlive this.
-  ChangingOwners(const UnwrittenVector<Row>& rows, const Order& order);
+  ChangingOwners(const UnwrittenVector<PaddedRow>& rows, const Order& order);
   /// Goes over to another order. O(the components of the slot graph that change).
   /// @param vertices  all those with an edge whose ends have changed sides.
   void change(const Order& order, const std::vector<Vertex>& vertices);
@@ -97,7 +97,7 @@ class ChangingOwners {
   std::vector<Node> forget_components(const std::vector<Vertex>& touched);
   void list_crowded();
 
-  const UnwrittenVector<Row>& rows_;
+  const UnwrittenVector<PaddedRow>& rows_;
   std::vector<Found> queue_;                     ///< of a search
   std::map<Node, std::vector<Vertex>> crowded_;  ///< the vertices of components, by first nodes
   Owners owners_;

@@ -17,7 +17,7 @@ constexpr unsigned kUnseen = 4;  ///< beside what a node owns: no search has com
 constexpr unsigned kAgain = 5;   ///< its component is to be searched again
 
 /// The place of an edge in a row that has it.
-unsigned place_of(EdgeId edge, const Row& row) {
+unsigned place_of(EdgeId edge, const PaddedRow& row) {
   unsigned k = 0;
   while (row.half[k].edge != edge) ++k;
   return k;
@@ -25,8 +25,8 @@ unsigned place_of(EdgeId edge, const Row& row) {
 
 }  // namespace
 
-UnwrittenVector<Row> rows_of(const Graph& graph) {
-  UnwrittenVector<Row> rows(graph.num_vertices());
+UnwrittenVector<PaddedRow> rows_of(const Graph& graph) {
+  UnwrittenVector<PaddedRow> rows(graph.num_vertices());
   for (Vertex v = 0; v < rows.size(); ++v) {
     const std::span<const HalfEdge> edges = graph.incident(v);
     rows[v].v = v;
@@ -36,7 +36,8 @@ UnwrittenVector<Row> rows_of(const Graph& graph) {
   return rows;
 }
 
-ChangingOwners::ChangingOwners(const UnwrittenVector<Row>& rows, const Order& order) : rows_(rows) {
+ChangingOwners::ChangingOwners(const UnwrittenVector<PaddedRow>& rows, const Order& order)
+    : rows_(rows) {
   owners_.sides.resize(2 * rows.size());
   for (Vertex v = 0; v < rows.size(); ++v) {
     if (v + kAhead < rows.size()) {
@@ -101,7 +102,7 @@ void ChangingOwners::search_component(Node start) {
       if (unused.from != from || node < unused.node) unused = queue_[i];
       continue;
     }
-    const Row& row = rows_[node / 2];
+    const PaddedRow& row = rows_[node / 2];
     const unsigned edges = owners_.sides[node] & 7u;
     unsigned own = Owners::kNothing;
     for (unsigned k = 0; k < row.degree; ++k) {
@@ -172,7 +173,7 @@ std::vector<ChangingOwners::Node> ChangingOwners::forget_components(
     const std::size_t begin = nodes.size();
     add(2 * touched[i / 2] + static_cast<Node>(i % 2));
     for (std::size_t j = begin; j < nodes.size(); ++j) {
-      const Row& row = rows_[nodes[j] / 2];
+      const PaddedRow& row = rows_[nodes[j] / 2];
       for (unsigned k = 0; k < row.degree; ++k) {
         if ((owners_.sides[nodes[j]] >> k & 1) != 0) add(2 * row.half[k].to + (1 - nodes[j] % 2));
       }
@@ -194,7 +195,7 @@ void ChangingOwners::list_crowded() {
 }
 
 Owners choose_owners(const Graph& graph, const Order& order) {
-  const UnwrittenVector<Row> rows = rows_of(graph);
+  const UnwrittenVector<PaddedRow> rows = rows_of(graph);
   return ChangingOwners(rows, order).owners();
 }
 

@@ -76,7 +76,7 @@ TEST(Compact120Owners, FollowRanksThatChange) {
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
       order.rank.push_back(static_cast<std::uint16_t>(10 * v));
     }
-    const UnwrittenVector<Row> rows = rows_of(graph);
+    const UnwrittenVector<PaddedRow> rows = rows_of(graph);
     ChangingOwners changing(rows, order);
     for (int step = 0; step < 300; ++step) {
       Order next = order;

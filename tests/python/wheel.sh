@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# `pip wheel .` makes a wheel that a new virtual environment imports, draws and proves with; without a network.  wheel.sh SOURCE
+# What `pip wheel .` makes, and what docs/python.md says to type, can be imported in a new virtual environment, draws and proves; without
+# a network.  wheel.sh SOURCE
 set -euo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf --one-file-system "$scratch"' EXIT
@@ -10,8 +11,13 @@ PATH=/usr/bin:$PATH
 offline=$(unshare --net true 2>/dev/null && echo "unshare --net" || true)
 export PIP_NO_INDEX=1 PIP_DISABLE_PIP_VERSION_CHECK=1
 $offline python3 -m pip wheel --no-build-isolation --no-deps --wheel-dir "$scratch/wheels" .
-python3 -m venv --system-site-packages "$scratch/env"  # numpy is Debian's
-$offline "$scratch/env/bin/pip" install --no-deps "$scratch"/wheels/ar3d-*.whl
-cd /
-"$scratch/env/bin/python" -c 'import ar3d; assert ar3d.certify([(0, 1)], ar3d.draw([(0, 1)])); print(ar3d.__file__)' |
-  grep "^$scratch/env/"
+python3 -m venv --system-site-packages build/env
+proves() {
+  (cd / && "$scratch/clone/build/env/bin/python" -c 'import ar3d; assert ar3d.certify([(0, 1)], ar3d.draw([(0, 1)])); print(ar3d.__file__)') |
+    grep "^$scratch/clone/build/env/"
+}
+$offline build/env/bin/pip install --no-deps "$scratch"/wheels/ar3d-*.whl
+proves
+build/env/bin/pip uninstall -q --yes ar3d
+build/env/bin/pip install --no-build-isolation .
+proves
