@@ -59,11 +59,6 @@ std::string algorithm_words(const HuntArguments& arguments) {
   return words;
 }
 
-std::string draw_line(const HuntArguments& arguments) {
-  return fmt::format("ar3d draw {}{}", shell_word(arguments.output + ".s6"),
-                     algorithm_words(arguments));
-}
-
 /// The lines with which anybody sees the same again.
 std::string replay_lines(const Trial& trial, const HuntArguments& arguments) {
   const std::string graph = shell_word(arguments.output + ".s6");
@@ -71,14 +66,15 @@ std::string replay_lines(const Trial& trial, const HuntArguments& arguments) {
     return fmt::format("ar3d shrink {}{} -o {}\n", graph, algorithm_words(arguments),
                        shell_word(arguments.output + "-again"));
   }
-  std::string lines =
+  const std::string lines =
       fmt::format("ar3d verify {} --graphs {}\n", shell_word(arguments.output + ".jsonl"), graph);
+  const std::string draw = fmt::format("ar3d draw {}{}", graph, algorithm_words(arguments));
   if (arguments.seeded_fault.empty()) {
-    return lines + fmt::format("{} | ar3d verify - --graphs {}\n", draw_line(arguments), graph);
+    return lines + fmt::format("{} | ar3d verify - --graphs {}\n", draw, graph);
   }
   return lines +
          fmt::format("the fault {} is seeded: {} draws the graph right\n", arguments.seeded_fault,
-                     draw_line(arguments)) +
+                     draw) +
          (trial.failure.empty() ? "the seeded fault does not show\n" : "");
 }
 
@@ -167,9 +163,7 @@ Subject subject_of(const HuntArguments& arguments) {
   Subject subject;
   subject.choice = algorithm_choice(spec, arguments.algorithm, parse_settings(arguments.settings));
   if (subject.choice.program) subject.drawer = std::make_shared<ExternalDrawer>();
-  if (!arguments.seeded_fault.empty()) {
-    subject.fault = &find_seeded_fault(arguments.seeded_fault);
-  }
+  if (!arguments.seeded_fault.empty()) subject.fault = &find_seeded_fault(arguments.seeded_fault);
   return subject;
 }
 
@@ -253,9 +247,7 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
                      std::make_shared<const Corpus>(files, options));
     return {{&graphs->family, {}, graphs}};
   }
-  if (arguments.family == "all") {
-    return fitting_families(algorithm, arguments.hunting.n);
-  }
+  if (arguments.family == "all") return fitting_families(algorithm, arguments.hunting.n);
   const Family& family = find_family(arguments.family);
   return {{&family, complete_parameters(family, parse_settings(arguments.parameters))}};
 }
@@ -293,19 +285,10 @@ int hunt_and_show(HuntArguments arguments) {
   return result.best.failure.empty() ? kPass : kViolated;
 }
 
-Graph only_graph(const std::string& path, const ReadOptions& options) {
-  GraphReader reader(path, options);
-  const std::optional<Graph> graph = reader.next();
-  if (!graph) throw InputError(fmt::format("{}: no graph", path));
-  if (reader.next())
-    throw InputError(fmt::format("{}: a second graph; one is wanted", reader.where()));
-  return *graph;
-}
-
 int shrink_and_show(HuntArguments arguments) {
   refuse_unsafe_exhibit(arguments);
   const Graph graph = arguments.row.empty()
-                          ? only_graph(arguments.inputs[0], arguments.reading.read_options())
+                          ? read_graph(arguments.inputs[0], arguments.reading.read_options())
                           : graph_of_row(arguments);
   const Subject subject = subject_of(arguments);
   const RatioRule rule = rule_of(arguments);

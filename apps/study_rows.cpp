@@ -31,40 +31,6 @@ std::int64_t planned_rows(const std::string& file, const StudyIdentity& identity
   return static_cast<std::int64_t>(outcome.rows + outcome.missing);
 }
 
-}  // namespace
-
-nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIdentity& identity) {
-  nlohmann::ordered_json skipped = nlohmann::ordered_json::array();
-  for (const SkippedFile& file : side_records<SkippedFile>(identity)) {
-    skipped.push_back({{"collection", file.name}, {"file", file.file}, {"reason", file.reason}});
-  }
-  const FileCounts files = file_counts(identity);
-  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
-  for (const Finding& one : verdict.findings) {
-    findings.push_back({{"kind", to_string(one.kind)},
-                        {"row", one.row ? nlohmann::ordered_json(*one.row) : nullptr},
-                        {"message", one.message},
-                        {"subject", one.subject},
-                        {"command", one.command}});
-  }
-  return {{"verdict", verdict.word()},
-          {"exit_code", verdict.exit_code()},
-          {"rows", verdict.rows},
-          {"proved", verdict.proved},
-          {"violated", verdict.violated_rows},
-          {"incomplete", verdict.incomplete_rows},
-          {"refused", verdict.refused},
-          {"not_proved", verdict.unproved},
-          {"measured", verdict.measured},
-          {"all_findings", verdict.all_findings},
-          {"files_read", files.read},
-          {"files_given", files.given},
-          {"skipped_files", skipped},
-          {"findings", findings}};
-}
-
-namespace {
-
 struct StatusArguments {
   std::string file;
   std::string snapshot;
@@ -203,6 +169,36 @@ int show(const StatusArguments& arguments) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIdentity& identity) {
+  nlohmann::ordered_json skipped = nlohmann::ordered_json::array();
+  for (const SkippedFile& file : side_records<SkippedFile>(identity)) {
+    skipped.push_back({{"collection", file.name}, {"file", file.file}, {"reason", file.reason}});
+  }
+  const FileCounts files = file_counts(identity);
+  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
+  for (const Finding& one : verdict.findings) {
+    findings.push_back({{"kind", to_string(one.kind)},
+                        {"row", one.row ? nlohmann::ordered_json(*one.row) : nullptr},
+                        {"message", one.message},
+                        {"subject", one.subject},
+                        {"command", one.command}});
+  }
+  return {{"verdict", verdict.word()},
+          {"exit_code", verdict.exit_code()},
+          {"rows", verdict.rows},
+          {"proved", verdict.proved},
+          {"violated", verdict.violated_rows},
+          {"incomplete", verdict.incomplete_rows},
+          {"refused", verdict.refused},
+          {"not_proved", verdict.unproved},
+          {"measured", verdict.measured},
+          {"all_findings", verdict.all_findings},
+          {"files_read", files.read},
+          {"files_given", files.given},
+          {"skipped_files", skipped},
+          {"findings", findings}};
+}
 
 struct StudyRows::Journals {
   RowCollection rows;

@@ -165,8 +165,9 @@ void refuse_graph(TextInput& input) {
 Graph read_graph(const std::string& path, const ReadOptions& options) {
   GraphReader reader(path, options);
   std::optional<Graph> graph = reader.next();
+  if (!graph) throw InputError(fmt::format("{}: no graph", path));
   if (reader.next()) {
-    throw InputError(fmt::format("{}: expected one graph, found another one", reader.where()));
+    throw InputError(fmt::format("{}: a second graph; one is wanted", reader.where()));
   }
   return std::move(*graph);
 }

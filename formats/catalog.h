@@ -96,7 +96,8 @@ class GraphReader {
 /// @throws InputError if the text, which is no drawing, is a graph. Reads at most 2^24 bytes ahead.
 void refuse_graph(TextInput& input);
 
-/// The only graph of a file. @throws InputError as GraphReader, and if there are several.
+/// The only graph of a file. @throws InputError as GraphReader, and if there is none or
+/// a second one.
 Graph read_graph(const std::string& path, const ReadOptions& options = {});
 
 /// Writes graphs to a file ("-": standard output) that appears only when it is complete.
