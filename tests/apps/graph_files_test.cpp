@@ -392,9 +392,7 @@ TEST_F(GraphFiles, BadCommandsSayWhy) {
       {"run --graphs cubic.s6 -o cubic.s6", "cubic.s6"},
       {"plan --graphs 'a\"b'", "cannot read"},
   };
-  for (const auto& [command, message] : cases) {
-    expect_one_line(run(study(command)), message);
-  }
+  for (const auto& [command, message] : cases) expect_one_line(run(study(command)), message);
 }
 
 }  // namespace
