@@ -91,7 +91,8 @@ class Sweeper {
     UnwrittenVector<PaddedRow> rows;
     rows.reserve(4 * vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      if (i + 2 * kAhead < vertices.size()) __builtin_prefetch(&rows_[vertices[i + 2 * kAhead]]);
+      const std::size_t twice_ahead = i + kAhead + kAhead;
+      if (twice_ahead < vertices.size()) __builtin_prefetch(&rows_[vertices[twice_ahead]]);
       if (i + kAhead < vertices.size()) {
         for (const HalfEdge& edge : rows_[vertices[i + kAhead]].edges()) {
           __builtin_prefetch(&rows_[edge.to]);
