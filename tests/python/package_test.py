@@ -244,7 +244,7 @@ class Page(unittest.TestCase):
         blocks = re.findall(r"^```sh\n(.*?)^```", (root / "docs" / "python.md").read_text(), re.S | re.M)
         lines = [re.sub(r"\s+#.*", "", line) for line in "".join(blocks).splitlines()]
         venv, pip, make, use, install = lines
-        self.assertEqual([venv, pip], re.findall(r"^(?:python3|build/env/bin/pip) .*", (root / "tests/house/release.sh").read_text(), re.M))
+        self.assertEqual([venv, pip], re.findall(r"^(?:python3|build/env/bin/pip) .*", (root / "tests/python/wheel.sh").read_text(), re.M))
         environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
         with tempfile.TemporaryDirectory() as folder:
             def shell(line):

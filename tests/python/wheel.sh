@@ -18,6 +18,6 @@ proves() {
 }
 $offline build/env/bin/pip install --no-deps "$scratch"/wheels/ar3d-*.whl
 proves
-build/env/bin/pip uninstall -q --yes ar3d
+build/env/bin/python -m pip uninstall -q --yes ar3d
 build/env/bin/pip install --no-build-isolation .
 proves
