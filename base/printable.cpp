@@ -83,7 +83,6 @@ std::string shell_word(std::string_view word) {
 
 bool all_printable(std::string_view text) {
   unsigned others = 0;  // than printable ASCII; without a branch, so that many are seen at once
-#pragma omp simd reduction(| : others)
   for (std::size_t i = 0; i < text.size(); ++i) others |= text[i] < ' ' || text[i] > '~';
   return others == 0 || printable(text) == text;
 }
