@@ -49,7 +49,7 @@ void check_volume(const RunRecord& run, const Add& add) {
                                   run.log2_volume, column_number(least, run)));
 }
 
-/// What every ok row has, whatever its graph; a missing value is NaN.
+/// Adds what every ok row has, whatever its graph; a missing value is NaN.
 template <class Add>
 void check_numbers(const RunRecord& run, const Add& add) {
   const bool is_timed = run.phase == RunPhase::metrics || run.phase == RunPhase::timing;

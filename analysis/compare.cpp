@@ -10,7 +10,7 @@
 namespace ar3d {
 namespace {
 
-/// What a cell has to be judged by.
+/// Holds what a cell has to be judged by.
 struct Evidence {
   CellComparison cell = {};  ///< without verdict and time
   std::vector<FixedChange> fixed = {};
@@ -23,7 +23,7 @@ Evidence evidence_of(const PairedCell& cell) {
   return evidence;
 }
 
-/// Whether one side is the other: begun at the same moment in the same environment, and every time
+/// True if one side is the other: begun at the same moment in the same environment, and every time
 /// equal to the last bit.
 bool holds_same_measurements(const Results& base, const Results& now) {
   const auto is_same = [](double a, double b) {
@@ -144,7 +144,7 @@ std::string last_rounds(const Results& results) {
   return last;
 }
 
-/// What two files' times say of each cell; `comparison.times` of all.
+/// Returns what two files' times say of each cell; `comparison.times` of all.
 std::vector<TimeVerdict> judge_files(const std::vector<CellTimes>& cells, const Results& base,
                                      const Results& now, const TimeRule& rule,
                                      Comparison& comparison) {
@@ -219,7 +219,7 @@ bool has_yardsticks(const Results& results) {
                      [](const RunRecord& run) { return run.yardsticks_s[0] > 0; });
 }
 
-/// Which version of each of the study's own programs is compared with which.
+/// Notes which version of each of the study's own programs is compared with which.
 void note_versions(const Results& base, const Results& now, Comparison& comparison) {
   constexpr std::string_view kVersion = "version_";
   std::map<std::string, std::pair<std::string, std::string>> versions;
@@ -237,7 +237,7 @@ void note_versions(const Results& base, const Results& now, Comparison& comparis
   }
 }
 
-/// What is to be said of two results before any cell is looked at.
+/// Returns what is to be said of two results before any cell is looked at.
 /// @param in_turns  whether they were measured in turns; files were one after the other.
 Comparison first_look(const Results& base, const Results& now, const CompareOptions& options,
                       bool in_turns) {

@@ -21,7 +21,7 @@ auto drawing_columns(const RunRecord& run) {
                   run.instance_bound, run.counters);
 }
 
-/// Whether rows of one key may hold a measurement twice or different drawings.
+/// True if rows of one key may hold a measurement twice or different drawings.
 bool is_suspicious(std::span<const Fingerprint> prints) {
   std::set<std::size_t> measurements, drawings;
   for (const Fingerprint& print : prints) {

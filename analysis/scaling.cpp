@@ -113,7 +113,7 @@ bool is_power_and_log(const ScalingEntry& entry) {
          is_adequate(entry.with_log, entry.curvature.with_log_p, entry.used.size());
 }
 
-/// What the local exponent does over the sizes, one clause.
+/// Returns what the local exponent does over the sizes, one clause.
 std::string drift_text(const Curvature& curvature) {
   const char* verb = curvature.drift.low > 0    ? "rises"
                      : curvature.drift.high < 0 ? "falls"

@@ -50,7 +50,7 @@ struct Drawer {
   bool is_told = true;  ///< false: nobody asked for it, which is still to be said
 };
 
-/// How the drawings are made and judged.
+/// Holds how the drawings are made and judged.
 struct DrawJob {
   std::vector<Drawer> drawers;  ///< the one asked for, or those that the degree decides between
   CertificateMode certificate;
@@ -105,9 +105,9 @@ Drawing fitting_drawing(const GraphToDraw& task, const DrawJob& job) {
   return drawing;
 }
 
-/// What comes of a graph: a drawing of few points as its line already, a larger one as itself, so
-/// that no line of it is ever held as a whole; or why it could not be drawn, and what is wrong with
-/// the drawing.
+/// Holds what comes of a graph: a drawing of few points as its line already, a larger one as
+/// itself, so that no line of it is ever held as a whole; or why it could not be drawn, and what is
+/// wrong with the drawing.
 struct DrawnLine {
   std::string line;
   std::optional<Drawing> drawing;
@@ -122,7 +122,7 @@ std::uint64_t weight_of(const Graph& graph) {
   return std::uint64_t{graph.num_vertices()} + graph.num_edges();
 }
 
-/// What became of all drawings.
+/// Holds what became of all drawings.
 struct DrawOutcome {
   bool all_drawn = true;
   bool is_violated = false;
@@ -144,7 +144,7 @@ std::optional<std::string> judge(const GraphToDraw& task, const Drawing& drawing
                                         : certificate.violations.front().message;
 }
 
-/// Whether no drawing of level full is left unproved that somebody asked to judge.
+/// True if no drawing of level full is left unproved that somebody asked to judge.
 bool proves(const DrawJob& job) {
   return job.certificate == CertificateMode::none ||
          job.drawers.front().algorithm.guarantee.claim == Claim::proved;

@@ -36,7 +36,7 @@ struct GenerateArguments {
   bool force = false;
 };
 
-/// Which graphs, after all names are looked up.
+/// Holds which graphs, after all names are looked up.
 struct RequestedGraphs {
   const Family* family = nullptr;
   Settings parameters;

@@ -63,7 +63,7 @@ std::string program_version_of(const std::vector<EnvironmentEntry>& environment)
   return version;
 }
 
-/// What the results are a measurement of.
+/// Holds what the results are a measurement of.
 struct MeasuredVersion {
   std::string commit_or_name;
   bool dirty = false;

@@ -28,7 +28,7 @@
 namespace ar3d {
 namespace {
 
-/// Which drawings, which share of which bound, and where the exhibit goes.
+/// Holds which drawings, which share of which bound, and where the exhibit goes.
 struct HuntArguments {
   std::string algorithm;
   std::vector<std::string> settings;  // of the algorithm; of `hunt`, at first, of the family, too

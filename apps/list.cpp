@@ -152,7 +152,7 @@ std::string gram_word(const Lattice& lattice) {
                                        : fmt::format("{}:{}", word, lattice.gram_denominator);
 }
 
-/// What the guarantee promises, as the options of ar3d_proved.
+/// Prints what the guarantee promises, as the options of ar3d_proved.
 void print_promise(const Algorithm& row) {
   const Guarantee& g = row.guarantee;
   if (g.claim == Claim::measured)

@@ -23,7 +23,7 @@ struct PlayArguments {
   bool force = false;
 };
 
-/// Where it is installed, or built in a checkout. @throws InputError that says how to get it.
+/// Returns where it is installed or built. @throws InputError that says how to get it.
 std::filesystem::path installed_page() {
   std::error_code error;
   const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();

@@ -43,7 +43,7 @@ struct LineToJudge {
   std::optional<Graph> graph;  // of --graphs
 };
 
-/// What becomes of a line.
+/// Names what becomes of a line.
 enum class LineVerdict {
   certified,
   violated,
@@ -103,7 +103,7 @@ JudgedLine judge(const LineToJudge& task, const VerifyArguments& arguments) {
   }
 }
 
-/// How many lines became of each kind.
+/// Holds how many lines became of each kind.
 using Counts = std::array<std::uint64_t, static_cast<std::size_t>(LineVerdict::unknown) + 1>;
 
 constexpr const char* kVerdictNames[] = {"certified", "violated",   "not_drawn",

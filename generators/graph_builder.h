@@ -24,7 +24,7 @@ class GraphBuilder {
   /// Adds `count` vertices and returns the number of the first.
   Count add_vertices(Count count);
   void edge(Count u, Count v);
-  /// Those of a list, with `first` added to both ends.
+  /// Adds the edges of a list, with `first` added to both ends.
   void edges(std::span<const Edge> list, Count first = 0) {
     for (const Edge e : list) edge(first + e.u, first + e.v);
   }

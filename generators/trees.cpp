@@ -19,7 +19,7 @@ Count add_heap(GraphBuilder& builder, Count size) {
   return root;
 }
 
-/// Which of the leaves get the large block.
+/// Returns which of the leaves get the large block.
 std::vector<bool> large_leaves(Count leaves, Count large, TreeShape shape, std::uint64_t seed) {
   std::vector<bool> is_large(leaves, false);
   std::vector<Count> order(leaves);

@@ -25,7 +25,7 @@ Setting parse_setting(std::string_view word) {
   throw InputError(fmt::format("'{}' is not of the form name=integer", word));
 }
 
-/// What there is instead, and where it is explained.
+/// Returns what there is instead, and where it is explained.
 std::string known_names(std::span<const SettingSpec> specs, std::string_view kind) {
   const char* const page = kind == "option" ? "algorithms" : "families";
   if (specs.empty()) return fmt::format("it has none; see: ar3d list {}", page);

@@ -191,8 +191,9 @@ void check_bends(const RealPoints& points, const Guarantee& guarantee, Findings&
   }
 }
 
-/// Of a drawing in a real type. Violations are what rounding cannot excuse: another graph, too many
-/// bends, and, if the guarantee is no Claim::measured, that the drawing is in a real type at all.
+/// Examines a drawing in a real type. Violations are what rounding cannot excuse: another graph,
+/// too many bends, and, if the guarantee is no Claim::measured, that the drawing is in a real type
+/// at all.
 Examination examine_real(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                          const ExaminationParts& parts, const CertifyOptions& options) {
   Examination result;

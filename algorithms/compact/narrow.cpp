@@ -105,7 +105,7 @@ class NarrowPlacer {
     const WordConstants* words;  ///< of all variants
     unsigned variants;
   };
-  /// What placing one vertex would add.
+  /// Holds what placing one vertex would add.
   struct Plan {
     std::array<Piece, 4> pieces{};  ///< line 0 beyond `count`
     std::array<std::uint8_t, 4> variants{};

@@ -37,9 +37,9 @@ bool Strip::plan_arrival(Vertex v, Site site, Plan& plan) const {
   return true;
 }
 
-/// What no variant mends: reach, the side of the head, and |dV| > |dU| + 2, which leaves a length
-/// below 1. (A length is (|dU| +- dV)/2 plus at most 2.) Cheap, so that few lines are looked up in
-/// vain.
+/// False for what no variant mends: reach, the side of the head, and |dV| > |dU| + 2, which leaves a
+/// length below 1. (A length is (|dU| +- dV)/2 plus at most 2.) Cheap, so that few lines are looked
+/// up in vain.
 bool Strip::may_join(ColourRole role, Site own, Site other) const {
   const std::int32_t across = std::abs(other.column - own.column);
   if (across == 0 || across > size_.reach) return false;

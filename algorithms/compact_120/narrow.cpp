@@ -100,7 +100,7 @@ class OrderedPlacer {
     return {std::max(low - margin, 0), std::min(high + margin, columns - 1)};
   }
 
-  /// Those of them that the placed neighbours leave.
+  /// Returns those of them that the placed neighbours leave.
   SiteRange columns_for(Vertex v) const {
     SiteRange range = home(v);
     for (const ArmLink& link : strip_.links().at[v]) {

@@ -44,7 +44,7 @@ struct ColourReach {
   std::uint32_t length = 0;  ///< of the longest plane path; the height is half of it
 };
 
-/// Of the plane path from p to q along a track.
+/// Returns the length of the plane path from p to q along a track.
 std::uint32_t length(SeenPoint p, SeenPoint q, std::int32_t track) {
   const auto distance = [](std::int32_t s, std::int32_t t) {
     return static_cast<std::uint32_t>(std::abs(s - t));

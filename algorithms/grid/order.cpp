@@ -45,7 +45,7 @@ class BreadthFirst {
     }
   }
 
-  /// What the search is going to read is known as far as the queue goes.
+  /// Asks ahead for what the search is going to read, which is known as far as the queue goes.
   void ask_ahead(std::size_t head) const {
     constexpr std::size_t kAhead = 16;
     const std::vector<Vertex>& queue = order_.sequence;

@@ -41,7 +41,7 @@ void DrawingBuilder::add_vertex(Vertex u) {
   }
 }
 
-/// How far v goes to the right before it goes up.
+/// Returns how far v goes to the right before it goes up.
 std::int64_t DrawingBuilder::go_up(Vertex v, std::int64_t front) const {
   return is_tree(v) ? front + 1 : at_[v].y + 1;
 }
@@ -80,7 +80,7 @@ void DrawingBuilder::switch_to(Vertex p, Vertex u, std::int64_t front) {
   route(p, u, {{from.x, y, from.z}, {to.x, beside, from.z}, {to.x, to.y, from.z}});
 }
 
-/// Where a vertex stands that p switches to.
+/// Returns where a vertex stands that p switches to.
 std::int64_t DrawingBuilder::beyond_switch(Vertex p, std::int64_t x, std::int64_t front) const {
   return front + 3 + std::max<std::int64_t>(0, at_[p].x - x);
 }

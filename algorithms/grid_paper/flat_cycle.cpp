@@ -144,7 +144,7 @@ class FlatCycleDrawer {
     begin_vertex(v, fresh);
   }
 
-  /// How much further to the right than the nearest place the fresh pieces of vertex i lie; even.
+  /// Returns how much further right than the nearest place the fresh pieces of vertex i lie; even.
   std::int64_t shift_of(const std::vector<LayerPiece>& fresh, std::size_t i) const {
     const std::int64_t full = 2 * (full_run_ - least_run_);
     if (spread_ == Spread::columns) return full;

@@ -57,7 +57,7 @@ void DrawingBuilder::turn(std::vector<Vertex>& cycle) const {
   if (backwards) std::reverse(cycle.begin(), cycle.end());
 }
 
-/// How far the path from an old vertex w comes back along e_Y - e_Z, to the end of the leg of v.
+/// Returns how far the path from an old vertex w comes back along e_Y - e_Z, to the end of v's leg.
 std::int64_t DrawingBuilder::way_back(Vertex v, Vertex w) const {
   return go_up(w, old_front_) - at_[v].y - 1;
 }

@@ -77,7 +77,7 @@ class Packing {
  public:
   explicit Packing(const SpaceNet& net) : net_(net) {}
 
-  /// Where to move the next component; none is larger than the one before.
+  /// Returns where to move the next component; none is larger than the one before.
   Vector add(const std::vector<Point>& component) {
     const auto is_free = [&](Vector moved) {
       return std::none_of(component.begin(), component.end(),

@@ -27,7 +27,7 @@ std::int64_t far_gap(std::int64_t k, bool alone) {
 
 namespace {
 
-/// What every layout is made of: both views, what widens their lists, and the numbers so far.
+/// Holds what every layout is made of: both views, what widens their lists, and the numbers so far.
 class NumberedLists {
  protected:
   NumberedLists(const Flow& flow, const Lists& lists)

@@ -24,7 +24,7 @@ struct RowReach {
 /// All trees above a row's SPLITs but the heaviest may have so many SPLITs.
 constexpr std::uint32_t kMostLightWeight = 64;
 
-/// Who shares the row of the SPLIT below it.
+/// Holds who shares the row of the SPLIT below it.
 class Sharing {
  public:
   Sharing(const View& view, const Values& cross)
@@ -131,7 +131,7 @@ bool part_neighbours_of_merges(const View& view, LongVector<std::uint8_t>& share
   return changed;
 }
 
-/// Which SPLITs may stand in the row of the one below them at all.
+/// Returns which SPLITs may stand in the row of the one below them at all.
 LongVector<std::uint8_t> find_askers(const View& view) {
   const Flow& flow = view.flow();
   LongVector<std::uint8_t> left_alone(view.size(), 0);

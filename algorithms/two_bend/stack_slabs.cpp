@@ -113,7 +113,7 @@ class Writer {
            stands_free(in_.flow.edges[e].upper);
   }
 
-  /// Whether the k-th of the vertices on a long edge, upwards, stands on a bend: the first ones on
+  /// True if the k-th of the vertices on a long edge, upwards, stands on a bend: the first ones on
   /// the lower bends and the last ones on the upper bends, as far as they go.
   bool bend_under(LongId e, std::size_t k) const {
     const LongBends& bends = in_.slabs.of_edge[e];

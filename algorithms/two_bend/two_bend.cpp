@@ -26,7 +26,7 @@ static_assert(1000 * kMostVertices * kMostVertices + 1000 < kMaxCoordinate);
 /// Extents in x, y and z.
 using Extents = std::array<std::int64_t, 3>;
 
-/// What a lean over q rows adds to the length of its arm and its run at most: that of run 1.
+/// Returns what a lean over q rows adds to the length of its arm and its run at most (run 1).
 std::int64_t lean_excess(std::int64_t q) { return std::max(q + 1, (q * q + 1) / 2); }
 
 /// Excess of the leans into the MERGEs of a view, and of the special edges of its V-type SINKs.
@@ -70,7 +70,7 @@ Extents bound_component(const Flow& flow, const Layout& layout, std::size_t plac
   return {x, y, z};
 }
 
-/// What the construction met in one run.
+/// Holds what the construction met in one run.
 struct TwoBendCensus {
   std::int64_t components = 0, q_bodies = 0, stations = 0, vv_leans = 0;
   std::int64_t sinks_a = 0, sinks_v = 0, sources_a = 0, sources_v = 0, adjacent_poles = 0;

@@ -173,7 +173,7 @@ class ListBuilder {
     }
   }
 
-  /// Whether the place directly after (before) an entry lies between the first two rows of a joint
+  /// True if the place directly after (before) an entry lies between the first two rows of a joint
   /// SOURCE's unit.
   bool is_in_source_unit(NodeId entry, bool after, NodeId hold) const {
     if (!view_.flow().joint) return false;

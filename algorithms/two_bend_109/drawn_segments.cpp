@@ -70,8 +70,8 @@ LineModulo line_of(const LatticeSegment& segment) {
 
 using LineComponents = std::array<const std::uint16_t*, 6>;
 
-/// Which of `count` lines, given by component, may be coplanar to this one. Without branches, so
-/// that the compiler tests several at a time.
+/// Finds which of `count` lines, given by component, may be coplanar to this one. Without branches,
+/// so that the compiler tests several at a time.
 __attribute__((always_inline)) inline void find_coplanar(const LineModulo& line,
                                                          const LineComponents& lines,
                                                          std::size_t count,

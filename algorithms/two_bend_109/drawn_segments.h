@@ -13,7 +13,7 @@ struct LatticeSegment {
   bool operator==(const LatticeSegment&) const = default;
 };
 
-/// Whether two segments of positive length have a point in common. Coordinates up to 2^60 in
+/// True if two segments of positive length have a point in common. Coordinates up to 2^60 in
 /// absolute value.
 bool meet(const LatticeSegment& a, const LatticeSegment& b);
 

@@ -105,9 +105,9 @@ class LayoutMaker {
     throw InternalError("internal error: no place for a spot");
   }
 
-  /// How much higher than b an end at `at` must be that leans by at most one part in `slope`,
-  /// wherever both choose to stand, in squares of at most `jitter` points per side. The length of
-  /// (dx, dy) is at most 3/2 dx + 5/2 dy.
+  /// Returns how much higher than b an end at `at` must be that leans by at most one part in
+  /// `slope`, wherever both choose to stand, in squares of at most `jitter` points per side. The
+  /// length of (dx, dy) is at most 3/2 dx + 5/2 dy.
   Int128 lift(Vertex b, Point at, std::int64_t slope, std::int64_t jitter) const {
     const Point p = made_.place[b];
     const Int128 dx = std::abs(at.x - p.x) + jitter + Int128{2} * kStubX;

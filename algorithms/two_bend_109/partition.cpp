@@ -95,7 +95,7 @@ class Rest {
     return cycle;
   }
 
-  /// Whether every component of the core without the cycle is alive. Goes through each only until
+  /// True if every component of the core without the cycle is alive. Goes through each only until
   /// that is seen: a tree of t vertices has at least t + 2 edges to the cycle, which has at most
   /// two at each of its vertices, so what is larger is no tree.
   bool leaves_all_alive(const std::vector<Vertex>& cycle) {

@@ -15,7 +15,7 @@
 namespace ar3d::two_bend_109 {
 namespace {
 
-/// Whether an edge that leaves its vertex along `stub` may go on along `ahead`.
+/// True if an edge that leaves its vertex along `stub` may go on along `ahead`.
 bool may_turn(Vector stub, Vector ahead) {
   const auto dot = [](Vector a, Vector b) {
     return 2 * static_cast<double>(a.x) * static_cast<double>(b.x) +
@@ -97,7 +97,7 @@ class VertexPlacer {
   }
 
  private:
-  /// Whether each finds a point.
+  /// True if each finds a point.
   bool place_all() {
     is_placed_.assign(graph_.num_vertices(), false);
     legs_.assign(parts_.size(), {});
@@ -316,7 +316,7 @@ class VertexPlacer {
   std::vector<std::uint32_t> first_stub_;  ///< of each placed vertex: index of the first of four
   std::vector<bool> is_placed_;            ///< vertices that are not in bodies
   std::vector<NewEdge> edges_;
-  /// Of each body: the bend that will be joined to it and the end of its leg, in the body's
+  /// Holds of each body the bend that will be joined to it and the end of its leg, in the body's
   /// coordinates, for those whose lower vertex is placed.
   std::vector<std::vector<LatticeSegment>> legs_;
 };

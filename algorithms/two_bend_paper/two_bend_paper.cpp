@@ -41,7 +41,7 @@ RealPointsBuilder::Point exact(const Vector3<T>& p) {
   return {dyadic(p.x), dyadic(p.y), dyadic(p.z)};
 }
 
-/// What is decided before a real type comes into play.
+/// Holds what is decided before a real type comes into play.
 struct Choices {
   ContractedGraph graph;
   std::vector<Component> components;
@@ -87,7 +87,7 @@ RealPoints draw_chosen(const Graph& graph, const Choices& choices, RealType type
   throw InternalError("internal error: no such real type");
 }
 
-/// How many figures are inside one another.
+/// Returns how many figures are inside one another.
 std::int64_t deepest_nest(const ContractedGraph& graph) {
   const Node inputs = graph.num_nodes() - static_cast<Node>(graph.contractions.size());
   std::vector<std::int64_t> depth(graph.num_nodes());

@@ -126,7 +126,7 @@ std::string cell_lines(const Comparison& comparison, std::size_t most_cells,
   return text;
 }
 
-/// What changed most, in every case: a change that was not judged is seen, too.
+/// Returns what changed most, in every case: a change that was not judged is seen, too.
 std::string largest_changes(const Comparison& comparison, std::size_t most) {
   std::string text;
   const auto add = [&](const char* what, const auto& size, const auto& told) {

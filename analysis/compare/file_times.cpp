@@ -25,7 +25,7 @@ double spread_about_zero(std::vector<double> values) {
   return kRobust * median(std::move(values));
 }
 
-/// Of the median of independent values; infinite for none.
+/// Returns the standard error of the median of independent values; infinite for none.
 double error_of_median(std::vector<double> values) {
   const double middle = median(values);
   const double root = std::sqrt(static_cast<double>(values.size()));

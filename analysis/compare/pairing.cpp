@@ -173,7 +173,7 @@ void compare_bends(const RunRecord& base, const RunRecord& now, std::vector<Fixe
                                  after.convert_to<double>())});
 }
 
-/// What a drawing without a guarantee may change by, of its volume or an angle, and be as good.
+/// Holds the change of volume or angle by which a drawing without a guarantee is as good.
 constexpr double kMeasuredTolerance = 0.01;
 
 bool is_measured(const PairedRow& row) {

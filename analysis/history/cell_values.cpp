@@ -10,7 +10,7 @@
 namespace ar3d {
 namespace {
 
-/// What the rows of one graph in a cell say together.
+/// Holds what the rows of one graph in a cell say together.
 struct GraphValues {
   std::string graph_hash;
   bool is_unfinished = false;

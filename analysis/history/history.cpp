@@ -54,7 +54,7 @@ std::vector<fs::path> results_files(const std::string& folder) {
   return files;
 }
 
-/// Of the short yardsticks, as log_slowness of a row.
+/// Returns the mean of the short yardsticks, as log_slowness of a row.
 double log_slowness(const CellTable& table) {
   return (table.yardsticks[0] + table.yardsticks[2]) / 2;
 }
@@ -200,7 +200,7 @@ class Changes {
   }
 
   History& history_;
-  /// How many cells a setting has in a result.
+  /// Holds how many cells a setting has in a result.
   std::map<std::tuple<std::size_t, std::string, Measure>, std::size_t> cells_;
   /// By result, the one before, setting, measure and direction: effects and lines.
   std::map<std::tuple<std::size_t, std::size_t, std::string, Measure, int>,

@@ -24,7 +24,7 @@ struct Windows {
   FileTimes times;
 };
 
-/// How far the means on either side of a step are apart, and the step.
+/// Holds how far the means on either side of a step are apart, and the step.
 using Candidate = std::pair<double, TimeStep>;
 
 using Levels = std::array<std::vector<double>, 2>;  // before and after, sorted, equally many
@@ -131,8 +131,8 @@ class StepFinder {
     }
   }
 
-  /// What the noise between results adds to the error of a comparison; changes, that at `at` too,
-  /// are no noise.
+  /// Returns what the noise between results adds to the error of a comparison; changes, that at
+  /// `at` too, are no noise.
   double noise(const std::string& setting, std::size_t at, std::size_t width) const {
     const auto moved = moved_.find(setting);
     std::vector<double> others;
@@ -154,7 +154,7 @@ class StepFinder {
     });
   }
 
-  /// Whether no change of the same, or of all settings, lies within the step's windows.
+  /// True if no change of the same, or of all settings, lies within the step's windows.
   bool is_free(const TimeStep& step) const {
     return std::ranges::none_of(steps_.steps, [&](const TimeStep& other) {
       const bool is_same =
@@ -267,7 +267,7 @@ class StepFinder {
   const TimeSeries& series_;
   const TimeRule& rule_;
   std::map<std::string, std::size_t> cells_of_;
-  /// How far a setting moved from one result to the next, by its name; "": all together.
+  /// Holds how far a setting moved from one result to the next, by its name; "": all together.
   std::map<std::string, std::vector<std::pair<std::size_t, double>>> moved_;
   TimeSteps steps_;
 };

@@ -54,8 +54,8 @@ struct AsPeopleSort {
   }
 };
 
-/// What graphs are compared by: a decimal logarithm, the less the better. Counts, which may be 0,
-/// are compared by one more.
+/// Holds what graphs are compared by: a decimal logarithm, the less the better. Counts, which may
+/// be 0, are compared by one more.
 struct CollectionMeasure {
   const char* name;
   bool is_larger_better = false;
@@ -160,7 +160,7 @@ std::vector<GraphPair> pairs_of(const Collection& collection, std::size_t measur
   return pairs;
 }
 
-/// Those with the least and the largest ratios.
+/// Returns those with the least and the largest ratios.
 std::vector<GraphPair> outliers(const std::vector<GraphPair>& pairs) {
   if (pairs.size() <= 2 * kOutliers) return pairs;
   std::vector<GraphPair> ends(pairs.begin(), pairs.begin() + kOutliers);

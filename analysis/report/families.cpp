@@ -51,8 +51,8 @@ void add_page_cells(const BoundsEntry& entry, const SectionCurve& curve, const S
   row.insert(row.end(), {parts.first, parts.second});
 }
 
-/// Which lines a figure names: all if they are few, else those with the largest and the least last
-/// values. By curve: 1, 2, …
+/// Returns which lines a figure names: all if they are few, else those with the largest and the
+/// least last values. By curve: 1, 2, …
 std::map<std::size_t, std::size_t> named_lines(const Section& section, Quantity quantity) {
   struct Line {
     std::size_t place;

@@ -22,8 +22,8 @@ struct Median {
   double time = kMissing;
 };
 
-/// What one setting did on every family but collections at every requested n: medians over graphs.
-/// Sizes with an unfinished graph are left out.
+/// Holds what one setting did on every family but collections at every requested n: medians over
+/// graphs. Sizes with an unfinished graph are left out.
 struct ComparedSetting {
   const Section* section = nullptr;
   std::size_t place = 0;  ///< in the sections
@@ -188,7 +188,7 @@ std::vector<TradeLine> trade_lines(const SettingGroup& group) {
   return lines;
 }
 
-/// Where one setting falls below another one for good within their common sizes.
+/// Holds where one setting falls below another one for good within their common sizes.
 struct Crossing {
   std::size_t below = 0, above = 0;  // in the group
   double log_n = 0, volume = 0;

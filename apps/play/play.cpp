@@ -44,7 +44,7 @@ class Watch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// Which graph is drawn, and what there is to say of where it comes from.
+/// Holds which graph is drawn, and what there is to say of where it comes from.
 struct GivenGraph {
   Graph graph;
   std::vector<std::string> names = {};

@@ -151,7 +151,7 @@ class Corpus::Scan {
   }
 
  private:
-  /// What files of one name held when the study began, or grew.
+  /// Holds what files of one name held when the study began, or grew.
   struct Before {
     std::set<std::string> hashes;
     bool is_there = false;

@@ -51,7 +51,7 @@ std::vector<CorpusFile> held_files(const StudySpec& spec, const GraphFileRecord&
   return files;
 }
 
-/// Which file is not the one that the study began with; empty where nobody knows.
+/// Returns which file is not the one that the study began with; empty where nobody knows.
 std::string changed_file(const StudySpec& spec, const std::string& family, const Corpus& now) {
   std::set<std::pair<std::string, std::string>> there;
   for (const CollectedFile& file : now.files()) there.emplace(file.file, file.hash);

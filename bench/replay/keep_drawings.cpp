@@ -14,7 +14,7 @@
 namespace ar3d {
 namespace {
 
-/// How bad a drawing is; what stands first decides.
+/// Holds how bad a drawing is; what stands first decides.
 using Badness = std::array<double, 3>;
 
 Badness badness_of(const RunRecord& run) {

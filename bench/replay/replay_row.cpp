@@ -39,7 +39,7 @@ FamilyChoice choice_from_file(const RunRecord& row, const StudyOrigin& origin) {
   throw InputError(fmt::format("the study has no graphs {} with '{}'", row.family, row.parameters));
 }
 
-/// That the row was to be judged by.
+/// Returns the mode that the row was to be judged by.
 CertificateMode certificate_of(const RunRecord& row) {
   const std::string asked = asked_certificate(row);
   return asked == "measured" ? CertificateMode::exact : parse_certificate_mode(asked);

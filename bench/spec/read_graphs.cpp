@@ -74,7 +74,7 @@ std::string toml_quoted(const std::string& text) {
   return quoted + '"';
 }
 
-/// What a folder's collection is called; empty if it is no folder.
+/// Returns what a folder's collection is called; empty if it is no folder.
 std::string folder_name(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_directory(path, error)) return "";

@@ -42,8 +42,8 @@ class DrawingEvents {
  public:
   /// @param of_answer  the line is a program's, in any decimal numbers.
   explicit DrawingEvents(bool of_answer) : of_answer_(of_answer) {}
-  /// What the line says, once it is parsed. @throws InputError if a key is missing or the parts do
-  /// not fit.
+  /// Returns what the line says, once it is parsed. @throws InputError if a key is missing or the
+  /// parts do not fit.
   DrawingJsonlReader::Line finish() {
     if (!inside_object_) throw InputError("expected an object");
     refuse_missing({Key::n});

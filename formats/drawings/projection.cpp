@@ -175,7 +175,7 @@ void split_at_balls(std::vector<PictureSegment>& segments, const std::vector<Pic
   }
 }
 
-/// What is left of a segment, piece by piece.
+/// Appends what is left of a segment, piece by piece.
 void append_pieces(const PictureSegment& s, const Camera& camera, std::vector<PaintedItem>& items) {
   std::vector<double> cuts = {0, 1};
   for (const auto& [from, to] : s.gaps) {

@@ -21,7 +21,7 @@
 namespace ar3d {
 namespace {
 
-/// Whether that is the name of the element, with or without the prefix of a namespace.
+/// True if that is the name of the element, with or without the prefix of a namespace.
 bool is_named(pugi::xml_node element, const char* name) {
   if (std::strcmp(element.name(), name) == 0) return true;
   const char* const prefix = std::strrchr(element.name(), ':');

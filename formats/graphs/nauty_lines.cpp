@@ -26,7 +26,7 @@ class NautyParser final : public GraphParser {
   }
 
  private:
-  /// Where the graph begins: behind a header such as ">>graph6<<", which the first line may have.
+  /// Returns where the graph begins: behind a header of the first line, such as ">>graph6<<".
   std::size_t after_file_header(std::string_view line) const {
     if (input_.line() != 1 || !line.starts_with(">>")) return 0;
     for (const std::string_view header : {">>graph6<<", ">>sparse6<<", ">>digraph6<<"}) {

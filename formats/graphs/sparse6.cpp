@@ -49,7 +49,8 @@ class Pairs {
     return bits_.left() == 0 && length < 6 && (held_ & tail) == tail &&
            (!with_last || last_pair == whole);
   }
-  /// Of the group behind the last pair; of the end of the line if that holds no whole pair.
+  /// Returns the column of the group behind the last pair; of the end of the line if that holds no
+  /// whole pair.
   std::size_t column() const { return bits_.column() - (count_ < width_ ? 0 : count_ / 6); }
 
  private:

@@ -66,7 +66,7 @@ class FileBytes final : public ByteSource {
   int fd_ = STDIN_FILENO;
 };
 
-/// What gzip and xz share: compressed bytes come in blocks.
+/// Holds what gzip and xz share: compressed bytes come in blocks.
 class CompressedBytes : public ByteSource {
  public:
   CompressedBytes(std::unique_ptr<ByteSource> inner, std::string name)

@@ -12,7 +12,7 @@
 namespace ar3d {
 namespace {
 
-/// Of a UTF-8 character that has begun before.
+/// True for a byte of a UTF-8 character that has begun before.
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
 }  // namespace

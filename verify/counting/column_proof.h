@@ -70,8 +70,8 @@ class ColumnProof {
   /// Holds for small directions 1 if their angle is right, -1 if it is wrong, 0 if it was not seen
   /// yet.
   std::array<std::array<std::int8_t, kSmallDirections>, kSmallDirections> angles_{};
-  /// Of each vertex the directions in which edges leave it: up to four bytes, number + 1 each, or
-  /// kOther for one of others_.
+  /// Holds of each vertex the directions in which edges leave it: up to four bytes, number + 1
+  /// each, or kOther for one of others_.
   std::vector<std::uint32_t> stars_;
   std::vector<std::pair<Vertex, Vector>> others_;
   CountedMeetings counts_;

@@ -141,7 +141,7 @@ struct Columns::Projection {
         low_y(std::min(s.y, s.y + s.dy)),
         high_y(std::max(s.y, s.y + s.dy)) {}
 
-  /// Of a place in the box. Products are below 2^31 * 2^31.
+  /// True if it passes over a place in the box. Products are below 2^31 * 2^31.
   bool passes_over(std::int64_t x, std::int64_t y) const {
     return (x - s.x) * s.dy == (y - s.y) * s.dx;
   }
@@ -174,8 +174,8 @@ struct Columns::Projection {
   std::int32_t high_y;
 };
 
-/// How many segments of a column reach a height, given rounded down and up. They do not overlap, so
-/// upwards their upper ends do not fall.
+/// Returns how many segments of a column reach a height, given rounded down and up. They do not
+/// overlap, so upwards their upper ends do not fall.
 std::uint64_t Columns::count(std::uint32_t column, std::int64_t low, std::int64_t high) const {
   const auto begin = spans_.begin() + begin_[column];
   auto next = std::upper_bound(begin, spans_.begin() + begin_[column + 1], low,

@@ -179,7 +179,7 @@ std::uint64_t CountingProof::number(std::size_t direction) const {
   return sum;
 }
 
-/// Those that segments have, and so many others that they are two.
+/// Returns those that segments have, and so many others that they are two.
 std::vector<std::size_t> CountingProof::directions_to_count() const {
   std::vector<std::size_t> used;
   std::vector<std::size_t> others;
@@ -190,8 +190,8 @@ std::vector<std::size_t> CountingProof::directions_to_count() const {
   return used;
 }
 
-/// How many windows a family of so many records is counted in, so that the threads' records at a
-/// time hold the limit; without one, 5/8 of the memory of the segments.
+/// Returns how many windows a family of so many records is counted in, so that the threads' records
+/// at a time hold the limit; without one, 5/8 of the memory of the segments.
 std::uint32_t CountingProof::windows(std::uint64_t records) const {
   constexpr std::uint64_t kFew = std::uint64_t{1} << 18;
   std::uint64_t room = sizes_.memory / sizeof(PlaneRecord);

@@ -95,7 +95,7 @@ class CountingProof {
   const bool keeps_segments_;  ///< false: there are too many, they are computed for each window
   SignedDirections directions_;
   std::vector<Share> shares_;  ///< of the threads
-  /// Of each vertex the directions in which edges leave it: up to four bytes, id + 1 each.
+  /// Holds of each vertex the directions in which edges leave it: up to four bytes, id + 1 each.
   std::vector<std::uint32_t> stars_;
   CountedMeetings counts_;
 };

@@ -8,7 +8,7 @@ namespace ar3d::verify {
 
 namespace {
 
-/// What decides every meeting of the drawing: by the extents of its box.
+/// Returns what decides every meeting of the drawing: by the extents of its box.
 IntegerWidth width_of(const Segments& segments) {
   if (segments.size() == 0) return IntegerWidth::int64;
   GrowingBox box;

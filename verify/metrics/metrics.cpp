@@ -46,7 +46,7 @@ MetricValue value_of(Summary summary) {
   return summary.*member;
 }
 
-/// Of drawings in real types only.
+/// Reads what only drawings in real types have.
 template <double RealAssessment::*member>
 MetricValue real_number(Summary summary) {
   return summary.real ? MetricValue((*summary.real).*member) : DrawingSummary::kNone;

@@ -25,7 +25,8 @@ struct DrawingSummary {
   double total_edge_length = kNone;           ///< in the lattice's metric, as all lengths here
   double longest_edge_length = kNone;
   double smallest_vertex_distance = kNone;
-  /// Of a drawing in a real type, found without tolerance; nothing for other drawings.
+  /// Holds the assessment of a drawing in a real type, found without tolerance; nothing for other
+  /// drawings.
   std::shared_ptr<const RealAssessment> real;
   /// Sum of log2(side / smallest_vertex_distance + 1) over the box's sides in the lattice's metric.
   double log2_relative_volume = kNone;

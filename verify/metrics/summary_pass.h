@@ -12,7 +12,7 @@ class SummaryPass {
  public:
   /// Takes the vertices of the drawing. @param lengths  are lengths and distances wanted?
   SummaryPass(const Drawing& drawing, bool lengths);
-  /// Of a part of the drawing, to be absorbed by another pass: nothing is taken yet.
+  /// Makes the pass over a part of the drawing, for another pass to absorb: nothing is taken yet.
   explicit SummaryPass(const Drawing& drawing) : drawing_(drawing), lengths_(false) {}
   /// Takes the vertices begin, ..., end - 1.
   void add_vertices(Vertex begin, Vertex end);

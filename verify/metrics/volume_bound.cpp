@@ -24,7 +24,7 @@ class Routing {
         units_(graph.num_vertices()),
         load_(graph.num_edges()) {}
 
-  /// Of the edges to nearer vertices a vertex takes the one with the smallest load so far.
+  /// Adds a source: of edges to nearer vertices each vertex takes the one with the least load.
   void add_source(Vertex source) {
     search_from(source);
     for (std::size_t i = order_.size(); --i > 0;) {

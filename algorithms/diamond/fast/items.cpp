@@ -77,7 +77,7 @@ class ItemWalks {
   }
 
  private:
-  /// What begins a path or a cut.
+  /// Holds what begins a path or a cut.
   struct CutItemWalker {
     bool start(std::uint32_t number) {
       if (!walks.follows_) {  // no paths
@@ -203,7 +203,7 @@ class ItemWalks {
 
   std::uint32_t num_vertices() const { return static_cast<std::uint32_t>(next_.size()); }
 
-  /// Those that no path has, from their smallest vertices around.
+  /// Returns those that no path has, from their smallest vertices around.
   std::vector<CutCycle> cut_cycles() const {
     std::vector<CutCycle> cycles;
     std::vector<bool> seen(stretches_.size(), false);

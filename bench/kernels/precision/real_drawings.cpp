@@ -117,7 +117,7 @@ std::vector<HardDrawing> nests_of(const Graph& core, int most, Heptagons&& hepta
   return nests;
 }
 
-/// Where a type passes a limit or breaks, as texts.
+/// Holds where a type passes a limit or breaks, as texts.
 struct HardRow {
   std::string type, limit, early, late;  ///< predicted with kHighKappa and kMedianKappa
   std::string seen;
