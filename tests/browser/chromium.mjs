@@ -10,7 +10,17 @@ const shots = process.env.AR3D_SCREENSHOTS;
 const flags = ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
   "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 
-export const launch = () => chromium.launch({executablePath: "/usr/bin/chromium", args: flags});
+/** A browser whose pages are waited for up to two minutes: other tests may keep both cores busy. */
+export const launch = async () => {
+  const browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: flags});
+  const open = browser.newContext.bind(browser);
+  browser.newContext = async options => {
+    const context = await open(options);
+    context.setDefaultTimeout(120000);
+    return context;
+  };
+  return browser;
+};
 export const newPage = async (browser, options) => {
   const page = await browser.newPage({viewport: {width: 1280, height: 900}, ...options});
   page.on("console", message => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });

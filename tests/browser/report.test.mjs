@@ -331,7 +331,7 @@ test("pointing at a row shows it", async () => {
   const {x, y} = await placeOf(plot, 4);
   await page.mouse.move(x, y);
   const tip = page.locator("#tip");
-  await tip.waitFor({state: "visible", timeout: 5000});
+  await tip.waitFor({state: "visible"});
   const text = await tip.textContent();
   for (const part of ["vertices", "seed", "box ", "the theorem's ", "the published "]) {
     assert.ok(text.includes(part), `${part} in ${text}`);
