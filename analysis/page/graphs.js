@@ -67,6 +67,7 @@ const showDrawing = async row => {
   const frame = element("iframe", {title: "The drawing in 3D"});
   dialog.querySelector("p").textContent = describe(row).slice(0, 3).join(" \u00b7 ");
   dialog.querySelector("button").onclick = () => { dialog.close(); replay(row); };
+  dialog.querySelector("iframe")?.remove();  // the event of a dialog that was just closed comes later
   dialog.append(frame);
   dialog.showModal();
   frame.srcdoc = (await viewer).replace("<body>", `<body data-page="${Number(graphOf(row).drawing)}">`);
@@ -160,5 +161,5 @@ export const listen = () => {
   document.addEventListener("keydown", event => { if (event.key === "Escape") close(); });
   addEventListener("scroll", () => show(null), {passive: true});
   dialog.querySelector("button:last-of-type").addEventListener("click", () => dialog.close());
-  dialog.addEventListener("close", () => dialog.querySelector("iframe").remove());
+  dialog.addEventListener("close", () => { if (!dialog.open) dialog.querySelector("iframe").remove(); });
 };
