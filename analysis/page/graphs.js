@@ -161,5 +161,5 @@ export const listen = () => {
   document.addEventListener("keydown", event => { if (event.key === "Escape") close(); });
   addEventListener("scroll", () => show(null), {passive: true});
   dialog.querySelector("button:last-of-type").addEventListener("click", () => dialog.close());
-  dialog.addEventListener("close", () => { if (!dialog.open) dialog.querySelector("iframe").remove(); });
+  dialog.addEventListener("close", () => { if (!dialog.open) dialog.querySelector("iframe")?.remove(); });
 };
