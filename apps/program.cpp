@@ -132,8 +132,8 @@ void add_help(CLI::App& app) {
   });
 }
 
-/// Adds -q to every verb without its own. An empty list is no default to show, nor is -1, which stands for what is
-/// found out.
+/// Adds -q to every verb without its own. An empty list is no default to show, nor is -1, which
+/// stands for what is found out.
 void complete_verbs(CLI::App& app) {
   const std::vector<CLI::App*> verbs = app.get_subcommands([](CLI::App*) { return true; });
   if (verbs.empty() && app.get_name() != "help" && app.get_option_no_throw("-q") == nullptr) {

@@ -20,7 +20,8 @@ class StudyRows {
   explicit StudyRows(const std::string& file);
   ~StudyRows();
 
-  /// Returns the rows; they stay valid while this lives. Memory: a few hundred rows; of journals about 60 bytes per row.
+  /// Returns the rows; they stay valid while this lives. Memory: a few hundred rows; of
+  /// journals about 60 bytes per row.
   const RowView& view() const { return view_; }
 
  private:

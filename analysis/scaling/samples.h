@@ -41,8 +41,8 @@ struct SizeSample {
 /// are those of the timing phase if the curve has such rows, else of the metrics phase (for plots).
 std::vector<SizeSample> samples(const CurveTally& curve, Quantity quantity);
 
-/// Returns the sizes that a fit uses: those without censored instances, and of them those of at least
-/// the square root of the largest one, but so many that `minimum_sizes` stay.
+/// Returns the sizes that a fit uses: those without censored instances, and of them those of at
+/// least the square root of the largest one, but so many that `minimum_sizes` stay.
 std::vector<SizeSample> choose_sizes(const std::vector<SizeSample>& all, std::size_t minimum_sizes);
 
 }  // namespace ar3d

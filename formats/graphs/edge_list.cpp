@@ -1,6 +1,6 @@
-// One edge "u v" per line, or "u,v" or "u;v", maybe in quotes; a weight may follow; comments begin with # or %. A line
-// "# vertices N", "% vertices N" or "n N" begins a graph with N vertices; edges without such a line make a graph up to the
-// largest id.
+// One edge "u v" per line, or "u,v" or "u;v", maybe in quotes; a weight may follow; comments begin
+// with # or %. A line "# vertices N", "% vertices N" or "n N" begins a graph with N vertices; edges
+// without such a line make a graph up to the largest id.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,8 @@ constexpr char kBlankOfName = '\x1f';
 bool is_heading(std::string_view line) {
   std::string columns;
   for (const char c : line.substr(0, 32)) {
-    if (c != '"' && c != '\r') columns += c == ';' ? ',' : static_cast<char>(std::tolower(c));
+    const int lower = std::tolower(static_cast<unsigned char>(c));
+    if (c != '"' && c != '\r') columns += c == ';' ? ',' : static_cast<char>(lower);
   }
   return (columns + ",").starts_with("source,target,") || (columns + ",").starts_with("from,to,");
 }
@@ -155,7 +156,7 @@ class EdgeListParser final : public GraphParser {
       if (c == '"' && !is_doubled) quote = quote > 0 ? 0 : i + 1;
       const bool is_between = quote == 0 && c == separator_;
       row_ += is_between || (c == '"' && !is_doubled) ? ' '
-              : quote > 0 && c == ' '                 ? kBlankOfName
+              : quote > 0 && (c == ' ' || c == '\t')  ? kBlankOfName
                                                       : c;
     }
     if (quote > 0)

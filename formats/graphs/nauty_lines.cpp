@@ -1,6 +1,7 @@
 // The formats of nauty and its relatives (https://users.cecs.anu.edu.au/~bdm/data/formats.txt):
 // one graph per line of printable characters. A file may mix the kinds of lines: whichever of the
-// formats is chosen, ':' begins sparse6, ';' incremental sparse6, '&' digraph6, everything else graph6.
+// formats is chosen, ':' begins sparse6, ';' incremental sparse6, '&' digraph6, everything else
+// graph6.
 #include <fmt/format.h>
 
 #include <utility>

@@ -1,5 +1,5 @@
-// What a report says of drawings in real types, of certificate modes and of levels; the statistics of
-// real types are the page's (tests/browser/precision.test.mjs).
+// What a report says of drawings in real types, of certificate modes and of levels; the statistics
+// of real types are the page's (tests/browser/precision.test.mjs).
 #include <memory>
 
 #include "analysis/synthetic.h"

@@ -78,12 +78,13 @@ TEST(EdgeList, ReadsOverAttributesOfNetworkx) {
   EXPECT_EQ(edge_set(read_text("0 1 3\n1 2 4\n", {.format = "edgelist"}).at(0)),
             edge_set(graphs[0]));
   EXPECT_EQ(refusal("0 1 2.5 7\n"), "f:1:5: unexpected '2.5' after the edge");
-  for (const char* text : {"0,1\n1,2\n", "0,1,0.5\n1,2,7\n", "source,target\n0,1\n1,2\n",
-                           "source,target,weight\na,b,1\nb,c,2\n", "0;1\n1;2;0.5\n",
-                           "\"0\";\"1\"\n\"1\";\"2\"\n", "\"a\",\"b\"\r\n\"b\",\"c\"\r\n",
-                           "\"Source\";\"Target\";\"Weight\"\n\"a\";\"b\";0.5\nb;\"c\";1\n",
-                           "source,target\n2,1\n0,1\n", "source;target\n0;1\n2;1\n",
-                           "\"12 Elm\",\"b, c\"\n\"b, c\",\"d\"\n"}) {
+  for (const char* text :
+       {"0,1\n1,2\n", "0,1,0.5\n1,2,7\n", "source,target\n0,1\n1,2\n",
+        "source,target,weight\na,b,1\nb,c,2\n", "0;1\n1;2;0.5\n", "\"0\";\"1\"\n\"1\";\"2\"\n",
+        "\"a\",\"b\"\r\n\"b\",\"c\"\r\n",
+        "\"Source\";\"Target\";\"Weight\"\n\"a\";\"b\";0.5\nb;\"c\";1\n",
+        "source,target\n2,1\n0,1\n", "source;target\n0;1\n2;1\n",
+        "\"12 Elm\",\"b, c\"\n\"b, c\",\"d\"\n", "\"ä\t1\",\"ö\"\n\"ö\",\"ü\"\n"}) {
     EXPECT_EQ(edge_set(read_text(text).at(0)), edge_set(graphs[0])) << text;
   }
   EXPECT_EQ(refusal("0,1\n1,x\n"), "f:2:3: expected a vertex id, found 'x'");

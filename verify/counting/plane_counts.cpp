@@ -2,7 +2,8 @@
 // of two directions become records of 16 bytes, are partitioned by plane into buckets that fit the
 // second-level cache, and compared there: rows sorted by plane into bins of one or two, columns as
 // they come. Planes with many segments go to CrowdedPlanes. A record is written once or twice and
-// read twice or three times, always in order or within the cache (Steps V.4 to V.8 of docs/verify.md).
+// read twice or three times, always in order or within the cache (Steps V.4 to V.8 of
+// docs/verify.md).
 #include "ar3d/verify/counting/plane_counts.h"
 
 #include <bit>
