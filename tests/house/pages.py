@@ -174,6 +174,13 @@ class Told(Page):
             self.assertEqual(len(first), 4, "five columns")
             self.assertIn(first[3].strip(), cells("docs/algorithms.md", "random graphs")[i])
 
+    def test_short_side_of_grid_is_that_of_the_committed_study(self):
+        rows = h5py.File(REFERENCE / "0.2.0-volume.h5")["runs"][:]
+        rows = rows[(rows["algorithm"] == b"grid") & (rows["family"] == b"random-cubic") & (rows["options"] == b"effort=1")]
+        rows = rows[rows["requested_n"] >= 10000]
+        sides = np.min([rows[f"extent_{axis}"] for axis in "xyz"], axis=0)
+        self.expect(page("README.md"), f"from {sides.min()} to {sides.max():,} in {len(rows)} graphs with 10⁴ to 10⁵ vertices")
+
     def test_skewed_exponents_are_those_of_the_committed_table(self):
         """In the skewed coordinates of Theorem 3, random cubic graphs and those that grow fastest."""
         for family, parameters in (("random-cubic", "shuffle=1"), ("percolated-laves-graph", "keep=800000;shuffle=1")):
