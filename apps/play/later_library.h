@@ -43,6 +43,7 @@ AR3D_WITH_VALUE(binary_search, std::binary_search(first, last, value, compare))
   }
 AR3D_COMPARING(sort)
 AR3D_COMPARING(stable_sort)
+AR3D_COMPARING(is_sorted)
 AR3D_COMPARING(min_element)
 #undef AR3D_COMPARING
 
@@ -63,8 +64,8 @@ auto find(Range&& range, const Value& value, Projection of = {}) {
   return find_if(
       range, [&](const auto& a) { return a == value; }, of);
 }
-template <class Range, class Value, class Projection>
-auto count(Range&& range, const Value& value, Projection of) {
+template <class Range, class Value, class Projection = identity>
+auto count(Range&& range, const Value& value, Projection of = {}) {
   return std::count_if(std::begin(range), std::end(range),
                        [&](const auto& a) { return std::invoke(of, a) == value; });
 }
@@ -82,7 +83,8 @@ void reverse(Range&& range) {
 }
 template <class Range, class To, class Make>
 auto transform(Range&& range, To to, Make make) {
-  return std::transform(std::begin(range), std::end(range), to, make);
+  return std::transform(std::begin(range), std::end(range), to,
+                        [&](const auto& a) { return std::invoke(make, a); });
 }
 
 }  // namespace ranges
