@@ -30,7 +30,7 @@ LongVector<Vertex> lowpoints(const LocalGraph& graph) {
 }
 
 void register_vertex(const LocalGraph& graph, BlockTree& blocks, Vertex v) {
-  Block& block = blocks.blocks[blocks.of[v]];
+  Block& block = blocks.blocks[blocks.id_of(v)];
   const NeighbourList& near = graph.neighbours[v];
   unsigned inside = 0;
   for (std::size_t k = 0; k < near.degree(); ++k) {
@@ -45,17 +45,16 @@ void register_vertex(const LocalGraph& graph, BlockTree& blocks, Vertex v) {
 }  // namespace
 
 BlockTree find_blocks(const LocalGraph& graph) {
-  const LongVector<Vertex> low = lowpoints(graph);
-  BlockTree result;
-  result.of.resize(graph.size());
+  BlockTree result{lowpoints(graph), {}};
   for (Vertex v = 0; v < graph.size(); ++v) {
-    if (v == 0 || low[v] == v) {  // the edge to the parent is a bridge
+    if (v == 0 || result.of[v] == v) {  // the edge to the parent is a bridge
       result.of[v] = static_cast<BlockId>(result.blocks.size());
       result.blocks.emplace_back();
     } else {
       result.of[v] = result.of[graph.parent[v]];
     }
   }
+  if (result.blocks.size() == 1) release(result.of);
   for (Vertex v = 0; v < graph.size(); ++v) register_vertex(graph, result, v);
   return result;
 }

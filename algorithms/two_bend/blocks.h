@@ -21,12 +21,13 @@ struct Block {
 
 /// The blocks of a component and the bridges between them.
 struct BlockTree {
-  LongVector<BlockId> of;  ///< one entry per vertex
+  LongVector<BlockId> of;  ///< one entry per vertex; of no use if there is one block
   LongVector<Block> blocks;
 
+  BlockId id_of(Vertex v) const { return blocks.size() > 1 ? of[v] : 0; }
   /// For adjacent u, v.
-  bool is_bridge(Vertex u, Vertex v) const { return blocks.size() > 1 && of[u] != of[v]; }
-  const Block& block_of(Vertex v) const { return blocks[of[v]]; }
+  bool is_bridge(Vertex u, Vertex v) const { return id_of(u) != id_of(v); }
+  const Block& block_of(Vertex v) const { return blocks[id_of(v)]; }
 };
 
 /// Bridges by lowpoints over the search tree that the component's numbering already is; O(n).

@@ -25,6 +25,14 @@ std::int64_t base_gap(NodeType a, NodeType b) {
   return a == NodeType::station || b == NodeType::station ? 3 : 1;
 }
 
+std::int64_t bound_of_entry(NodeType type, const Spacing::Widening& widening) {
+  const auto [extra_before, extra_after, hold_gap] = widening;
+  std::int64_t bound = type == NodeType::station ? 4 : 2;
+  if (extra_before + extra_after > 0) bound += extra_before + extra_after + 1;
+  if (hold_gap > 0) bound += 2 * (hold_gap + 1);
+  return bound;
+}
+
 /// SPLITs stand where their row's owner stands.
 void copy_to_sharers(const View& view, Values& values) {
   for (NodeId v = 0; v < view.size(); ++v) {
@@ -61,8 +69,10 @@ Values list_places(const View& view, const LongVector<NodeId>& list) {
   return places;
 }
 
-Values number_list(const View& view, const LongVector<NodeId>& list, const Spacing& spacing) {
+Values number_list(const View& view, const LongVector<NodeId>& list, const Spacing& spacing,
+                   std::int64_t& bound) {
   Values values(view.size(), 0);
+  bound = 0;
   std::int64_t value = -2;  // the first entry gets 0 or 1
   NodeType last = NodeType::split;
   Spacing::Widening before;
@@ -81,23 +91,12 @@ Values number_list(const View& view, const LongVector<NodeId>& list, const Spaci
     if ((value % 2 != 0) != is_odd(type)) ++value;
     expect(value <= kMaxHorizontal, "rows and columns fit 31 bits");
     values[v] = static_cast<std::int32_t>(value);
+    bound += bound_of_entry(type, widening);
     last = type;
     before = widening;
   }
   copy_to_sharers(view, values);
   return values;
-}
-
-std::int64_t bound_of_list(const View& view, const Spacing& spacing) {
-  std::int64_t bound = 0;
-  for (NodeId v = 0; v < view.size(); ++v) {
-    if (!view.is_owner(v) && !view.is_listed_merge(v)) continue;
-    bound += view.type(v) == NodeType::station ? 4 : 2;
-    const auto [extra_before, extra_after, hold_gap] = spacing[v];
-    if (extra_before + extra_after > 0) bound += extra_before + extra_after + 1;
-    if (hold_gap > 0) bound += 2 * (hold_gap + 1);
-  }
-  return bound;
 }
 
 OddInterval interval_of(const View& view, const Values& values, NodeId merge) {
@@ -110,27 +109,23 @@ OddInterval interval_of(const View& view, const Values& values, NodeId merge) {
   return result;
 }
 
-void relax_merges(const View& view, unsigned passes, Values& values) {
-  for (unsigned pass = 0; pass < passes; ++pass) {
-    const bool backwards = pass % 2 == 0;
-    for (NodeId i = 0; i < view.size(); ++i) {
-      const NodeId at = backwards ? view.size() - 1 - i : i;
-      view.ask(backwards ? at - kAhead : at + kAhead, values);
-      view.ask_types(backwards ? at - kAhead : at + kAhead);
-      relax_merge(view, values, view.at(at));
-    }
+void choose_middle_values(const View& view, bool relaxes, Values& values) {
+  for (NodeId i = view.size(); relaxes && i-- > 0;) {
+    view.ask(i - kAhead, values);
+    view.ask_types(i - kAhead);
+    relax_merge(view, values, view.at(i));
   }
-}
-
-void choose_middle_values(const View& view, Values& values) {
-  for (NodeId i = 0; i < view.size(); ++i) {
+  for (NodeId i = 0; i < view.size(); ++i) {  // what lies below a free MERGE has its place
     const NodeId m = view.at(i);
     view.ask(i + kAhead, values);
     view.ask_types(i + kAhead);
-    if (!view.is_free_merge(m)) continue;
-    const auto above = view.outs(m);
-    if (!above.empty() && view.type(above[0]) == NodeType::split) continue;
-    values[m] = static_cast<std::int32_t>(interval_of(view, values, m).middle());
+    if (view.is_free_merge(m)) {
+      const auto above = view.outs(m);
+      if (!above.empty() && view.type(above[0]) == NodeType::split) continue;
+      values[m] = static_cast<std::int32_t>(interval_of(view, values, m).middle());
+    } else if (relaxes) {
+      relax_merge(view, values, m);
+    }
   }
 }
 

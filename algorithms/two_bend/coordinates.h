@@ -41,12 +41,11 @@ using Values = LongVector<std::int32_t>;
 Values list_places(const View& view, const LongVector<NodeId>& list);
 
 /// Rule 2.5: numbers along the list; free MERGEs keep the number of their entry, if any.
+/// @param bound  becomes an upper bound of the largest number, added up over the entries: each
+/// counts 2 and a STATION 2 more, then come what widens the list and both gaps of every special row.
 /// @throws InternalError if a number passes kMaxHorizontal.
-Values number_list(const View& view, const LongVector<NodeId>& list, const Spacing& spacing);
-
-/// An upper bound of number_list's largest value, added up over the entries: each counts 2 and a
-/// STATION 2 more, then come what widens the list and both gaps of every special row.
-std::int64_t bound_of_list(const View& view, const Spacing& spacing);
+Values number_list(const View& view, const LongVector<NodeId>& list, const Spacing& spacing,
+                   std::int64_t& bound);
 
 /// The odd numbers from low to high that a free MERGE may take (Rule 2.6); never empty.
 struct OddInterval {
@@ -58,16 +57,14 @@ struct OddInterval {
 };
 OddInterval interval_of(const View& view, const Values& values, NodeId merge);
 
-/// Moves listed MERGEs towards the middle between their in-neighbours, which shortens the longer of
-/// their two arms. Every single move keeps all distances of Values: the MERGE stays between its
-/// in-neighbours and on its side of the MERGE above it, and never comes nearer to a free one, so
-/// the intervals of free MERGEs only grow. MERGEs below a SINK stay where they are, and so do those
-/// that a shared row of the cross view reaches (see share_rows).
-/// @param passes  over all nodes, alternately against and with the view's time.
-void relax_merges(const View& view, unsigned passes, Values& values);
-
 /// Gives every free MERGE of the view that is no end of a VV edge the middle of its interval.
-void choose_middle_values(const View& view, Values& values);
+/// @param relaxes  Before, moves listed MERGEs towards the middle between their in-neighbours, which
+/// shortens the longer of their two arms: once against and once with the view's time. Every single
+/// move keeps all distances of Values: the MERGE stays between its in-neighbours and on its side of
+/// the MERGE above it, and never comes nearer to a free one, so the intervals of free MERGEs only
+/// grow. MERGEs below a SINK stay where they are, and so do those that a shared row of the cross
+/// view reaches (see share_rows).
+void choose_middle_values(const View& view, bool relaxes, Values& values);
 
 /// For one VV edge: puts the MERGE into the row of the SPLIT and the SPLIT into the column of the
 /// MERGE, so that the edge is straight, if both are inside the intervals; else an odd row of the

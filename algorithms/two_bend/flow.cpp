@@ -40,18 +40,22 @@ class FlowBuilder {
 
   Flow build(const BlockTree& blocks) {
     const auto may_pass = [](const NeighbourList& near) { return near.degree() == 2; };
-    if (std::any_of(graph_.neighbours.begin(), graph_.neighbours.end(), may_pass)) find_passes();
+    if (!flow_.joint && std::any_of(graph_.neighbours.begin(), graph_.neighbours.end(), may_pass)) {
+      find_passes();
+    }
     number_nodes();
-    flow_.block.reserve(count_);
     flow_.edges.reserve(std::size_t{3} * count_ / 2);
+    for (LongVector<NodeType>& types : flow_.types) types.reserve(count_);
+    if (!flow_.joint) flow_.block.reserve(count_);
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
       ask_for_node(i);
       if (pass_[i]) continue;
-      flow_.block.push_back(blocks.of[order_[i]]);
+      if (!flow_.joint) flow_.block.push_back(blocks.id_of(order_[i]));
       finish_node(i);
     }
     find_poles(blocks);
     flow_.is_pass = std::move(pass_);
+    if (flow_.joint) release(flow_.place);
     return std::move(flow_);
   }
 
@@ -69,24 +73,20 @@ class FlowBuilder {
     return count;
   }
 
-  /// Asks memory, in four steps, for what the places soon after i need. Without a PASS every place
-  /// has the number of its node.
+  /// Asks memory, in four steps, for what the places soon after i need.
   [[gnu::always_inline]] void ask_for_node(std::uint32_t i) const {
     if (i + 4 * kAhead >= order_.size()) return;
-    const bool has_passes = count_ != order_.size();
     const Vertex far = order_[i + 4 * kAhead];
     ask_for(graph_.neighbours, far);
     ask_for(graph_.edges, far);
     for (const Vertex u : graph_.neighbours[order_[i + 3 * kAhead]].to) ask_for(flow_.place, u);
-    if (has_passes) {
+    if (!flow_.element.empty()) {
       for (const Vertex u : graph_.neighbours[order_[i + 2 * kAhead]].to) {
         if (u != kNoVertex) ask_for(flow_.element, flow_.place[u]);
       }
     }
     for (const Vertex u : graph_.neighbours[order_[i + kAhead]].to) {
-      if (u == kNoVertex) continue;
-      const std::uint32_t place = flow_.place[u];
-      ask_for(flow_.nodes, has_passes ? flow_.element[place] : place);
+      if (u != kNoVertex) ask_for(flow_.nodes, flow_.node_at(flow_.place[u]));
     }
   }
 
@@ -129,13 +129,14 @@ class FlowBuilder {
   }
 
   void number_nodes() {
-    flow_.element.assign(order_.size(), kNone);
     flow_.nodes.resize(count_);
-    NodeId count = 0;
+    if (count_ == order_.size()) return;  // every place has the number of its node
+    flow_.element.assign(order_.size(), kNone);
+    flow_.node_place.reserve(count_);
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
       if (pass_[i]) continue;
-      flow_.nodes[count].place = i;
-      flow_.element[i] = count++;
+      flow_.element[i] = static_cast<NodeId>(flow_.node_place.size());
+      flow_.node_place.push_back(i);
     }
   }
 
@@ -143,17 +144,19 @@ class FlowBuilder {
   void finish_node(std::uint32_t i) {
     std::array<HalfEdge, 3> steps;
     const unsigned outs = steps_up(i, steps);
-    const NodeId u = flow_.element[i];
+    const NodeId u = flow_.node_at(i);
     Node& node = flow_.nodes[u];
     const bool is_station = node.ins == 1 && outs == 1;
     node.type = is_station ? NodeType::station : type_of(node.ins, outs);
     node.outs = static_cast<std::uint8_t>(outs);
+    flow_.types[0].push_back(node.type);
+    flow_.types[1].push_back(dual(node.type));
     for (unsigned k = 0; k < outs; ++k) {
       const auto id = static_cast<LongId>(flow_.edges.size());
       const std::uint32_t top =
           climb(steps[k].to, [&](std::uint32_t pass) { flow_.element[pass] = id; });
-      const NodeId w = flow_.element[top];
-      flow_.edges.push_back({u, w, steps[k].to, steps[k].edge});
+      const NodeId w = flow_.node_at(top);
+      flow_.edges.push_back({u, w, steps[k].edge});
       node.neighbour[node.ins + k] = w;
       Node& upper = flow_.nodes[w];
       upper.neighbour[upper.ins++] = u;
@@ -161,17 +164,15 @@ class FlowBuilder {
   }
 
   void find_poles(const BlockTree& blocks) {
-    flow_.pole_of.assign(flow_.nodes.size(), kNone);
     for (NodeId v = 0; v < flow_.nodes.size(); ++v) {
-      const NodeType type = flow_.nodes[v].type;
+      const NodeType type = flow_.types[0][v];
       if (type != NodeType::source && type != NodeType::sink) continue;
-      flow_.pole_of[v] = static_cast<std::uint32_t>(flow_.poles.size());
       Pole pole{v, false, kNone};
       // Two neighbours lie opposite (MERGE below a SINK, SPLIT above a SOURCE); the third decides.
       const NodeType usual = type == NodeType::sink ? NodeType::merge : NodeType::split;
       unsigned usual_count = 0;
       for (const NodeId u : flow_.nodes[v].neighbour) {
-        if (flow_.nodes[u].type == usual) {
+        if (flow_.types[0][u] == usual) {
           ++usual_count;
         } else {
           pole.special = u;
@@ -181,11 +182,12 @@ class FlowBuilder {
       pole.a_type = usual_count == 2;
       flow_.poles.push_back(pole);
     }
+    if (flow_.joint) return;
     flow_.block_entry.assign(blocks.blocks.size(), kNone);
     for (const Pole& pole : flow_.poles) {
       const Block& block = blocks.blocks[flow_.block[pole.node]];
       if (block.bridges > 0) {  // it has degree 3: no PASS
-        flow_.block_entry[flow_.block[pole.node]] = flow_.element[flow_.place[block.bridge_vertex]];
+        flow_.block_entry[flow_.block[pole.node]] = flow_.node_at(flow_.place[block.bridge_vertex]);
       }
     }
   }
@@ -229,30 +231,24 @@ std::uint8_t role_of_merge(const View& view, NodeId m) {
   return kFreeMerge | (needs_room ? kListedMerge : 0);
 }
 
-LongVector<std::uint8_t> find_roles(const View& view) {
-  LongVector<std::uint8_t> roles(view.size(), 0);
-  for (NodeId v = 0; v < view.size(); ++v) {
-    if (view.type(v) == NodeType::merge) roles[v] = role_of_merge(view, v);
-    if (owns_row(view, v)) roles[v] |= kOwner;
-    if (view.type(v) != NodeType::sink) continue;
-    for (const NodeId u : view.ins(v)) {
-      if (view.type(u) == NodeType::split) roles[u] |= kSpecialSplit;
-    }
+void find_roles(const View& view, NodeId v, LongVector<std::uint8_t>& roles) {
+  if (view.type(v) == NodeType::merge) roles[v] |= role_of_merge(view, v);
+  if (owns_row(view, v)) roles[v] |= kOwner;
+  if (view.type(v) != NodeType::sink) return;
+  for (const NodeId u : view.ins(v)) {
+    if (view.type(u) == NodeType::split) roles[u] |= kSpecialSplit;
   }
-  return roles;
 }
 
 }  // namespace
 
 Flow build_flow(const LocalGraph& graph, const BlockTree& blocks, const TimeOrder& order) {
   Flow flow = FlowBuilder(graph, order).build(blocks);
-  for (LongVector<NodeType>& types : flow.types) types.reserve(flow.nodes.size());
-  for (const Node& node : flow.nodes) {
-    flow.types[0].push_back(node.type);
-    flow.types[1].push_back(dual(node.type));
+  for (LongVector<std::uint8_t>& roles : flow.roles) roles.resize(flow.nodes.size());
+  for (NodeId v = 0; v < flow.nodes.size(); ++v) {
+    find_roles(View(flow, false), v, flow.roles[0]);
+    find_roles(View(flow, true), v, flow.roles[1]);
   }
-  flow.roles[0] = find_roles(View(flow, false));
-  flow.roles[1] = find_roles(View(flow, true));
   for (LongVector<NodeId>& owner : flow.row_owner) {
     owner.resize(flow.nodes.size());
     std::iota(owner.begin(), owner.end(), 0u);
@@ -261,6 +257,12 @@ Flow build_flow(const LocalGraph& graph, const BlockTree& blocks, const TimeOrde
     if (flow.is_vv_edge(e)) flow.vv_edges.push_back(e);
   }
   return flow;
+}
+
+std::size_t Flow::pole_of(NodeId v) const {
+  const auto is_before = [](const Pole& pole, NodeId node) { return pole.node < node; };
+  const auto at = std::lower_bound(poles.begin(), poles.end(), v, is_before);
+  return static_cast<std::size_t>(at - poles.begin());
 }
 
 void Flow::forget_lists() {

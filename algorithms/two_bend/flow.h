@@ -30,7 +30,6 @@ enum class NodeType : std::uint8_t {
 NodeType dual(NodeType type);
 
 struct Node {
-  std::uint32_t place = 0;  ///< in the time order
   NodeType type{};
   std::uint8_t ins = 0;
   std::uint8_t outs = 0;
@@ -42,8 +41,7 @@ struct Node {
 struct LongEdge {
   NodeId lower = 0;
   NodeId upper = 0;
-  std::uint32_t first = 0;  ///< place after the lower end's (the upper end's if there is no PASS)
-  EdgeId first_edge = 0;    ///< input edge at the lower end
+  EdgeId first_edge = 0;  ///< input edge at the lower end
 };
 
 /// A SOURCE or SINK and the kind of its special edge (the one drawn in the plane of symmetry of its
@@ -78,12 +76,12 @@ struct Flow {
       roles;  ///< per node: bits of NodeRole in the row and in the column view
   std::array<LongVector<NodeId>, 2>
       row_owner;  ///< per node, in the row and in the column view: whose row it stands in
-  LongVector<std::uint32_t> pole_of;  ///< per node, kNone if it is no pole
-  LongVector<std::uint32_t> place;    ///< per vertex, in the time order
+  LongVector<std::uint32_t> place;  ///< per vertex, in the time order; empty if joint and long
   LongVector<std::uint32_t>
-      element;                ///< per place in the time order: node, or long edge if is_pass
-  std::vector<bool> is_pass;  ///< per place in the time order
-  LongVector<BlockId> block;  ///< per node
+      element;  ///< per place: node, or long edge if is_pass; empty if no place is
+  LongVector<std::uint32_t> node_place;  ///< per node; empty if element is
+  std::vector<bool> is_pass;             ///< per place in the time order
+  LongVector<BlockId> block;             ///< per node; empty if joint
   LongVector<NodeId>
       block_entry;  ///< per block of a pole: its only node at a bridge, kNone if none
   /// Edges from a MERGE up to a SPLIT, whose leans must be primitive; in time order of their lower
@@ -91,6 +89,10 @@ struct Flow {
   LongVector<LongId> vv_edges;
   bool joint = false;
 
+  std::uint32_t place_of(NodeId v) const { return node_place.empty() ? v : node_place[v]; }
+  NodeId node_at(std::uint32_t i) const { return element.empty() ? i : element[i]; }
+  /// The number of a pole: they are in time order.
+  std::size_t pole_of(NodeId v) const;
   /// Frees what only the lists and their numbers need: roles, owners and blocks.
   void forget_lists();
   /// The node's block has a pole and bridges.
@@ -101,7 +103,8 @@ struct Flow {
            types[0][edges[e].upper] == NodeType::split;
   }
   bool adjacent_poles(const Pole& pole) const {
-    return pole.special != kNone && pole_of[pole.special] != kNone;
+    return pole.special != kNone &&
+           (types[0][pole.special] == NodeType::source || types[0][pole.special] == NodeType::sink);
   }
 };
 
@@ -135,7 +138,7 @@ class View {
     return half(flow_->nodes[v].neighbour, v, !columns_);
   }
 
-  const Pole& pole(NodeId v) const { return flow_->poles[flow_->pole_of[v]]; }
+  const Pole& pole(NodeId v) const { return flow_->poles[flow_->pole_of(v)]; }
   /// The node whose row v stands in: v itself, or for a SPLIT one below it (see share_rows).
   NodeId row_of(NodeId v) const { return flow_->row_owner[columns_ ? 1 : 0][v]; }
   [[gnu::always_inline]] void ask_rows(NodeId i) const {

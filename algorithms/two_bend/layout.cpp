@@ -50,21 +50,17 @@ class NumberedLists {
   }
 
   void number() {
-    layout_.rows = number_list(views_[0], lists_.rows, spacings_[0]);
-    layout_.columns = number_list(views_[1], lists_.columns, spacings_[1]);
+    auto& [row_bound, column_bound] = layout_.width_bound;
+    layout_.rows = number_list(views_[0], lists_[0], spacings_[0], row_bound);
+    layout_.columns = number_list(views_[1], lists_[1], spacings_[1], column_bound);
   }
-  void choose_middles() {
-    choose_middle_values(views_[0], layout_.rows);
-    choose_middle_values(views_[1], layout_.columns);
+  void choose_middles(bool relaxes) {
+    choose_middle_values(views_[0], relaxes, layout_.rows);
+    choose_middle_values(views_[1], relaxes, layout_.columns);
   }
   /// False if the VV edge finds no primitive lean.
   bool choose_lean(LongId e) {
     return choose_vv_values(flow_, flow_.edges[e], layout_.rows, layout_.columns);
-  }
-  Layout finish(std::int64_t largest_gap) {
-    for (std::size_t i : {0u, 1u}) layout_.width_bound[i] = bound_of_list(views_[i], spacings_[i]);
-    layout_.largest_gap = largest_gap;
-    return std::move(layout_);
   }
 
   const Flow& flow_;
@@ -81,8 +77,8 @@ constexpr std::int64_t kVvCount = 8;
 
 class LayoutSearch : private NumberedLists {
  public:
-  LayoutSearch(const Flow& flow, const Lists& lists, unsigned relax_passes)
-      : NumberedLists(flow, lists), relax_passes_(relax_passes), vv_(flow.vv_edges) {
+  LayoutSearch(const Flow& flow, const Lists& lists, bool relaxes)
+      : NumberedLists(flow, lists), relaxes_(relaxes), vv_(flow.vv_edges) {
     for (const Pole& pole : flow.poles) gap_of(pole) = kFirstGap;
   }
 
@@ -90,12 +86,11 @@ class LayoutSearch : private NumberedLists {
     for (unsigned round = 1; round <= kOrdinaryRounds; ++round) {
       layout_.rounds = round;
       number();
-      relax_merges(views_[0], relax_passes_, layout_.rows);
-      relax_merges(views_[1], relax_passes_, layout_.columns);
       if (!choose_free_values() || !fit_poles()) continue;
-      std::int64_t largest_gap = 0;
-      for (const Pole& pole : flow_.poles) largest_gap = std::max(largest_gap, gap_of(pole));
-      return finish(largest_gap);
+      for (const Pole& pole : flow_.poles) {
+        layout_.largest_gap = std::max(layout_.largest_gap, gap_of(pole));
+      }
+      return std::move(layout_);
     }
     return std::nullopt;
   }
@@ -105,7 +100,7 @@ class LayoutSearch : private NumberedLists {
 
   /// False if a VV edge found no primitive lean; then the intervals are wider for the next round.
   bool choose_free_values() {
-    choose_middles();
+    choose_middles(relaxes_);
     LongVector<LongId> failed;
     for (std::size_t i = 0; i < vv_.size(); ++i) {
       ask_for_vv_edge(i + kAhead);
@@ -162,7 +157,7 @@ class LayoutSearch : private NumberedLists {
     return all_fit;
   }
 
-  const unsigned relax_passes_;
+  const bool relaxes_;
   const LongVector<LongId>& vv_;
   unsigned vv_failures_ = 0;
 };
@@ -207,12 +202,13 @@ class SafeLayout : private NumberedLists {
     for (const Pole& pole : flow_.poles) hold_spacing(pole).hold_gap = kNearGap;
     number();
     for (; widen_poles(); ++layout_.rounds) number();
-    choose_middles();
+    choose_middles(false);
     for (const LongId e : flow_.vv_edges) {
       expect(choose_lean(e), "the reserved room always holds a primitive VV lean");
     }
     fit_poles();
-    return finish(gaps_.empty() ? 0 : *std::max_element(gaps_.begin(), gaps_.end()));
+    for (const std::int64_t gap : gaps_) layout_.largest_gap = std::max(layout_.largest_gap, gap);
+    return std::move(layout_);
   }
 
  private:
@@ -280,8 +276,8 @@ class SafeLayout : private NumberedLists {
 
 }  // namespace
 
-std::optional<Layout> find_layout(const Flow& flow, const Lists& lists, unsigned relax_passes) {
-  return LayoutSearch(flow, lists, relax_passes).run();
+std::optional<Layout> find_layout(const Flow& flow, const Lists& lists, bool relaxes) {
+  return LayoutSearch(flow, lists, relaxes).run();
 }
 
 Lists build_safe_lists(Flow& flow) {

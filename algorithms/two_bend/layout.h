@@ -19,14 +19,14 @@ struct Layout {
       poles;            ///< one entry per flow.poles, in the view in which the pole is a SINK
   unsigned rounds = 1;  ///< numberings tried, the successful one included
   bool safe = false;    ///< it is a safe layout (find_safe_layout)
-  std::array<std::int64_t, 2> width_bound{};  ///< of rows, of columns: see bound_of_list
+  std::array<std::int64_t, 2> width_bound{};  ///< of rows, of columns: see number_list
   std::int64_t largest_gap = 0;               ///< of the gaps around special rows and columns
 };
 
 /// Step 2.9: numbers, chooses free values and fits the poles, at most kOrdinaryRounds times, and
 /// widens in between what failed. Nothing if every round failed.
-/// @param relax_passes  see relax_merges.
-std::optional<Layout> find_layout(const Flow& flow, const Lists& lists, unsigned relax_passes);
+/// @param relaxes  see choose_middle_values.
+std::optional<Layout> find_layout(const Flow& flow, const Lists& lists, bool relaxes);
 
 inline constexpr unsigned kOrdinaryRounds = 10;
 

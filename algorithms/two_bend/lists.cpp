@@ -17,6 +17,7 @@ struct RowReach {
   std::uint32_t sharers = 0;   ///< SPLITs
   std::uint32_t weight = 0;    ///< SPLITs in the trees above the row's SPLITs
   std::uint32_t heaviest = 0;  ///< the largest of these trees
+  std::uint32_t tree = 0;      ///< SPLITs in the tree of a SPLIT above a SPLIT
 
   bool meets(const RowReach& other) const { return low <= other.high && other.low <= high; }
 };
@@ -28,125 +29,116 @@ constexpr std::uint32_t kMostLightWeight = 64;
 class Sharing {
  public:
   Sharing(const View& view, const Values& cross)
-      : view_(view), cross_(cross), reach_(view.size()), trees_(view.size(), 0) {
-    weigh_trees();
+      : view_(view), cross_(cross), reach_(view.size()), left_alone_(view.size(), false) {
+    for (const Pole& pole : view.flow().poles) {
+      for (const NodeId v : view.flow().nodes[pole.node].neighbour) left_alone_[v] = true;
+    }
   }
 
   /// From the top down the view's time, undoes what two arms of a SPLIT cannot both have.
   /// @param shares  per node: asks to stand in the row of the SPLIT below it.
-  /// @param is_limited  also what exceeds kMostSharers or kMostLightWeight.
+  /// @param is_new  first lets all ask that may; also undoes what exceeds kMostSharers or
+  /// kMostLightWeight.
   /// @return true if something was undone.
-  bool undo_conflicts(LongVector<std::uint8_t>& shares, bool is_limited) {
+  bool undo_conflicts(LongVector<std::uint8_t>& shares, bool is_new) {
     bool changed = false;
     for (NodeId i = view_.size(); i-- > 0;) {
       const NodeId v = view_.at(i);
       view_.ask(i - kAhead, reach_);
       view_.ask(i - kAhead, cross_);
-      view_.ask(i - kAhead, trees_);
       if (view_.type(v) != NodeType::split) continue;
       NodeId a = view_.outs(v)[0];
       NodeId b = view_.outs(v)[1];
+      if (is_new) {
+        weigh_tree(v);
+        for (const NodeId w : {a, b}) shares[w] = may_share(v, w);
+      }
       if (shares[a] < shares[b]) std::swap(a, b);  // a single asker is a
       if (shares[a] && shares[b] && reach_[a].sharers < reach_[b].sharers) std::swap(a, b);
       for (const NodeId asker : {b, a}) {  // the smaller part goes first
-        if (!shares[asker] || fits(shares, a, b, is_limited)) continue;
+        if (!shares[asker] || fits(shares, a, b, is_new)) continue;
         shares[asker] = 0;
         changed = true;
       }
+      const std::uint32_t tree = reach_[v].tree;
       reach_[v] = united(part(shares, a), part(shares, b));
+      reach_[v].tree = tree;
     }
     return changed;
   }
 
  private:
+  /// A SPLIT may stand in the row of the SPLIT below it: neighbours of a pole share nothing, nor do
+  /// edges into or out of a pole's block.
+  bool may_share(NodeId below, NodeId v) const {
+    const Flow& flow = view_.flow();
+    if (view_.type(v) != NodeType::split || left_alone_[below] || left_alone_[v]) return false;
+    return flow.joint || flow.block[v] == flow.block[below] ||
+           (!flow.in_pole_block(below) && !flow.in_pole_block(v));
+  }
   RowReach part(const LongVector<std::uint8_t>& shares, NodeId v) const {
     if (shares[v]) return reach_[v];
-    return {cross_[v], cross_[v], 0, trees_[v], trees_[v]};
+    return {cross_[v], cross_[v], 0, reach_[v].tree, reach_[v].tree};
   }
   static RowReach united(const RowReach& a, const RowReach& b) {
     return {std::min(a.low, b.low), std::max(a.high, b.high), a.sharers + b.sharers + 1,
             a.weight + b.weight, std::max(a.heaviest, b.heaviest)};
   }
-  bool fits(const LongVector<std::uint8_t>& shares, NodeId a, NodeId b, bool is_limited) const {
+  bool fits(const LongVector<std::uint8_t>& shares, NodeId a, NodeId b, bool is_new) const {
     const RowReach pa = part(shares, a);
     const RowReach pb = part(shares, b);
     const RowReach both = united(pa, pb);
-    return !pa.meets(pb) && (!is_limited || (both.sharers <= kMostSharers &&
-                                             both.weight - both.heaviest <= kMostLightWeight));
+    return !pa.meets(pb) && (!is_new || (both.sharers <= kMostSharers &&
+                                         both.weight - both.heaviest <= kMostLightWeight));
   }
 
-  /// SPLITs in the tree of every SPLIT that stands above a SPLIT, 0 for all others.
-  void weigh_trees() {
-    for (NodeId i = view_.size(); i-- > 0;) {
-      const NodeId v = view_.at(i);
-      view_.ask(i - kAhead, trees_);
-      if (view_.type(v) != NodeType::split || view_.ins(v).empty()) continue;
-      ++trees_[v];
-      const NodeId u = view_.ins(v)[0];
-      if (view_.type(u) != NodeType::split) {
-        trees_[v] = 0;
-        continue;
-      }
-      if (view_.flow().in_pole_block(v) && !view_.flow().in_pole_block(u)) trees_[v] = view_.size();
-      trees_[u] = std::min(trees_[u] + trees_[v], view_.size());
+  /// SPLITs in the tree of a SPLIT that stands above a SPLIT, 0 for all others; those above it are
+  /// weighed.
+  void weigh_tree(NodeId v) {
+    if (view_.ins(v).empty()) return;
+    const NodeId u = view_.ins(v)[0];
+    std::uint32_t& tree = reach_[v].tree;
+    if (view_.type(u) != NodeType::split) {
+      tree = 0;
+      return;
     }
+    ++tree;
+    if (view_.flow().in_pole_block(v) && !view_.flow().in_pole_block(u)) tree = view_.size();
+    reach_[u].tree = std::min(reach_[u].tree + tree, view_.size());
   }
 
   const View& view_;
   const Values& cross_;
   LongVector<RowReach> reach_;
-  LongVector<std::uint32_t> trees_;
+  std::vector<bool> left_alone_;  // per node; small enough to stay in the cache
 };
 
 LongVector<NodeId>& owners_of(Flow& flow, bool columns) { return flow.row_owner[columns ? 1 : 0]; }
 
-/// Sets the owners of rows from who shares; the lowest SPLIT of a row owns it.
-void set_owners(Flow& flow, const View& view, const LongVector<std::uint8_t>& shares) {
+/// Sets the owners of rows from who shares; the lowest SPLIT of a row owns it. No MERGE may have
+/// both in-neighbours in one row: the later of the two shall leave it.
+/// @return true if one shall: then a second call changes the owners.
+bool set_owners(Flow& flow, const View& view, LongVector<std::uint8_t>& shares) {
   LongVector<NodeId>& owner = owners_of(flow, view.columns());
   LongVector<std::uint8_t>& roles = flow.roles[view.columns() ? 1 : 0];
+  bool changed = false;
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId v = view.at(i);
     view.ask(i + kAhead, owner);
     owner[v] = shares[v] ? owner[view.ins(v)[0]] : v;
-    if (view.type(v) != NodeType::split) continue;
-    roles[v] = static_cast<std::uint8_t>((roles[v] & ~(kOwner | kSharesRow)) |
-                                         (shares[v] ? kSharesRow : kOwner));
-    if (shares[v]) roles[owner[v]] |= kSharesRow;
-  }
-}
-
-/// No MERGE may have both in-neighbours in one row: the later of the two leaves it.
-bool part_neighbours_of_merges(const View& view, LongVector<std::uint8_t>& shares) {
-  bool changed = false;
-  for (NodeId i = 0; i < view.size(); ++i) {
-    const NodeId m = view.at(i);
-    view.ask_rows(i + kAhead);
-    if (view.type(m) != NodeType::merge) continue;
-    const NodeId a = view.ins(m)[0];
-    const NodeId b = view.ins(m)[1];
-    if (view.row_of(a) != view.row_of(b)) continue;
-    shares[view.columns() ? std::min(a, b) : std::max(a, b)] = 0;
-    changed = true;
+    if (view.type(v) == NodeType::split) {
+      roles[v] = static_cast<std::uint8_t>((roles[v] & ~(kOwner | kSharesRow)) |
+                                           (shares[v] ? kSharesRow : kOwner));
+      if (shares[v]) roles[owner[v]] |= kSharesRow;
+    } else if (view.type(v) == NodeType::merge) {
+      const NodeId a = view.ins(v)[0];
+      const NodeId b = view.ins(v)[1];
+      if (owner[a] != owner[b]) continue;
+      shares[view.columns() ? std::min(a, b) : std::max(a, b)] = 0;
+      changed = true;
+    }
   }
   return changed;
-}
-
-/// Returns which SPLITs may stand in the row of the one below them at all.
-LongVector<std::uint8_t> find_askers(const View& view) {
-  const Flow& flow = view.flow();
-  LongVector<std::uint8_t> left_alone(view.size(), 0);
-  for (const Pole& pole : flow.poles) {
-    for (const NodeId v : flow.nodes[pole.node].neighbour) left_alone[v] = 1;
-  }
-  LongVector<std::uint8_t> asks(view.size(), 0);
-  for (NodeId v = 0; v < view.size(); ++v) {
-    if (view.type(v) != NodeType::split || view.ins(v).empty()) continue;
-    const NodeId u = view.ins(v)[0];
-    const bool leaves_block =
-        flow.block[v] != flow.block[u] && (flow.in_pole_block(u) || flow.in_pole_block(v));
-    asks[v] = view.type(u) == NodeType::split && !left_alone[u] && !left_alone[v] && !leaves_block;
-  }
-  return asks;
 }
 
 LongVector<std::uint8_t> sharers(const View& view) {
@@ -159,16 +151,14 @@ LongVector<std::uint8_t> sharers(const View& view) {
 /// then has one bend instead of two, and the view one row fewer. A row's SPLITs form a subtree of
 /// the forest of SPLITs; it is drawn without crossings in the plane of the row if at each of its
 /// SPLITs the columns reached through one arm lie beyond all those reached through the other.
-/// Left alone: neighbours of a pole, and edges into or out of a pole's block.
 /// @param cross  columns of the view, or any guess of their order (then see separate_rows).
 /// @post  flow.row_owner and the roles of the view; no MERGE has both in-neighbours in one row.
 /// Cost: O(n).
 void share_rows(Flow& flow, bool columns, const Values& cross) {
   const View view(flow, columns);
-  LongVector<std::uint8_t> shares = find_askers(view);
+  LongVector<std::uint8_t> shares(view.size(), 0);
   Sharing(view, cross).undo_conflicts(shares, true);
-  set_owners(flow, view, shares);
-  if (part_neighbours_of_merges(view, shares)) set_owners(flow, view, shares);
+  if (set_owners(flow, view, shares)) set_owners(flow, view, shares);
 }
 
 /// Gives SPLITs a row of their own again, next to the one they shared, until the condition of

@@ -8,10 +8,7 @@
 namespace ar3d::two_bend {
 
 /// The lists of rows and of columns of a component.
-struct Lists {
-  LongVector<NodeId> rows;
-  LongVector<NodeId> columns;
-};
+using Lists = std::array<LongVector<NodeId>, 2>;
 
 /// Per node, what it weighs in the trees of rows and of columns; empty: 1 each.
 using TreeWeights = std::array<LongVector<std::uint32_t>, 2>;

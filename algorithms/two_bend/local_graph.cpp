@@ -46,6 +46,7 @@ void ComponentReader::search_from(Vertex root, LocalGraph& out) {
   out.parent.clear();
   out.name.reserve(local_.size());
   out.parent.reserve(local_.size());
+  turns_.reserve(local_.size());
   turns_.assign(1, {root, Vertex{0}});
   while (!turns_.empty()) {
     const auto [v, parent] = turns_.back();

@@ -46,7 +46,7 @@ struct LocalGraph {
   LongVector<std::array<EdgeId, 3>> edges;  ///< of the input graph, in the order of the neighbours
   LongVector<Vertex> parent;  ///< parent[0] = 0; empty once the blocks are known, if it is long
 
-  Vertex size() const { return static_cast<Vertex>(neighbours.size()); }
+  Vertex size() const { return static_cast<Vertex>(name.size()); }
   bool adjacent(Vertex u, Vertex v) const;
 };
 

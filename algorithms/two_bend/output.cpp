@@ -6,46 +6,47 @@
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
-namespace {
 
-std::int32_t narrow(std::int64_t value) {
-  expect(value >= std::numeric_limits<std::int32_t>::min() &&
-             value <= std::numeric_limits<std::int32_t>::max(),
-         "rows and columns fit 32 bits");
-  return static_cast<std::int32_t>(value);
+void LongBends::set(std::size_t i, const Point& bend) {
+  const auto narrow = [](std::int64_t value) {
+    expect(std::in_range<std::int32_t>(value), "rows and columns fit 32 bits");
+    return static_cast<std::int32_t>(value);
+  };
+  expect(-kMaxCoordinate < bend.z && bend.z < kMaxCoordinate, "a bend's height fits 62 bits");
+  xy_[2 * i] = narrow(bend.x);
+  xy_[2 * i + 1] = narrow(bend.y);
+  coded_[i] = bend.z * 4 + (coded_[i] & 3);
 }
 
-}  // namespace
+void LongBends::add_lower(const Point& bend) {
+  expect(lower_count() < 2 && upper_count() == 0,
+         "an edge has at most two bends, lower ones first");
+  if (lower_count() == 1) set(1, (*this)[0]);
+  set(0, bend);
+  ++coded_[0];
+}
 
-void PackedBends::set(EdgeId e, std::span<const Point> bends) {
-  expect(bends.size() <= 2, "an edge has at most two bends");
-  Places places{{}, {kNoBend, kNoBend}};
-  for (std::size_t i = 0; i < bends.size(); ++i) {
-    places.xy[2 * i] = narrow(bends[i].x);
-    places.xy[2 * i + 1] = narrow(bends[i].y);
-    places.z[i] = bends[i].z;
-  }
-  places_[e] = places;
+void LongBends::add_upper(const Point& bend) {
+  expect(count() < 2, "an edge has at most two bends");
+  set(count(), bend);
+  ++coded_[1];
 }
 
 void PackedBends::append_bends(EdgeId e, Edge, Point at_u, Point at_v,
                                std::vector<Point>& out) const {
-  const Places& places = places_[e];
-  const auto append = [&](std::size_t i) {
-    out.push_back({places.xy[2 * i], places.xy[2 * i + 1], places.z[i]});
-  };
-  const std::size_t count = std::size_t{places.z[0] != kNoBend} + (places.z[1] != kNoBend);
-  if (count == 2 && is_below(at_v, at_u)) {
-    append(1);
-    append(0);
-  } else {
-    for (std::size_t i = 0; i < count; ++i) append(i);
-  }
+  const LongBends& bends = of_edge[e];
+  const bool downwards = bends.count() == 2 && is_below(at_v, at_u);
+  for (std::size_t i = 0; i < bends.count(); ++i) out.push_back(bends[downwards ? 1 - i : i]);
+}
+
+void Output::set_bends(EdgeId e, std::span<const Point> bends) {
+  LongBends packed;
+  for (const Point& bend : bends) packed.add_upper(bend);
+  this->bends(e) = packed;
 }
 
 void Output::make_room(std::size_t vertices, std::int64_t top) {
-  if (bends_ != nullptr) return;
-  bends_ = std::make_shared<PackedBends>(graph_.num_edges());
+  if (vertices_ || !points_.empty()) return;
   if (vertices == graph_.num_vertices() && top > std::numeric_limits<std::int32_t>::max()) {
     vertices_.emplace(vertices, kMaxCoordinate);
   } else {
@@ -59,10 +60,9 @@ void Output::end_component(std::int64_t top) {
 }
 
 Drawing Output::finish() {
-  make_room(0, 0);  // for a graph without vertices
   if (!vertices_) {
     vertices_.emplace(points_.size(), largest_);
-    for (std::size_t v = 0; v < points_.size(); ++v) vertices_->set(v, points_[v]);
+    vertices_->fill(0, points_.size(), [&](std::size_t v) { return points_[v]; });
   }
   return Drawing("two-bend", kScaledZLattice, *std::move(vertices_), graph_.shared_edges(),
                  std::move(bends_));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,26 +15,35 @@
 
 namespace ar3d::two_bend {
 
-/// At most two bends per edge, 32 bytes per edge. Two bends are kept in the order from the edge's
-/// lower end (is_below) to the upper one: so nothing needs the order in which the input names the
-/// ends.
-class PackedBends final : public BendSource {
+/// The bends of a long edge, at most two in all. Upwards, first those drawn in the slab of the
+/// lower end, then the vertical piece with the PASS vertices, then those drawn in the slab of the
+/// upper end. 32 bytes: the numbers of bends are kept in the last two bits of their heights.
+class alignas(32) LongBends {
  public:
+  std::size_t lower_count() const { return static_cast<std::size_t>(coded_[0] & 3); }
+  std::size_t upper_count() const { return static_cast<std::size_t>(coded_[1] & 3); }
+  std::size_t count() const { return lower_count() + upper_count(); }
+  Point operator[](std::size_t i) const { return {xy_[2 * i], xy_[2 * i + 1], coded_[i] >> 2}; }
+  /// x and y are below 2^31 in absolute value, z below kMaxCoordinate.
+  void add_lower(const Point& bend);  ///< before any upper one, below any lower one
+  void add_upper(const Point& bend);  ///< in upward order
+
+ private:
+  void set(std::size_t i, const Point& bend);
+
+  std::array<std::int32_t, 4> xy_{};
+  std::array<std::int64_t, 2> coded_{};  // 4 z + number of lower bends, 4 z + number of upper ones
+};
+
+/// The bends of all edges. Two bends are kept in the order from the edge's lower end (is_below) to
+/// the upper one: so nothing needs the order in which the input names the ends.
+struct PackedBends final : BendSource {
   /// The bends of an edge are undefined before they are set.
-  explicit PackedBends(std::size_t num_edges) : places_(num_edges) {}
-  /// x and y are below 2^31 in absolute value; at most two bends, from the lower end to the upper.
-  void set(EdgeId e, std::span<const Point> bends);
-  [[gnu::always_inline]] void ask_for(EdgeId e) const { __builtin_prefetch(places_.data() + e, 1); }
+  explicit PackedBends(std::size_t num_edges) : of_edge(num_edges) {}
   void append_bends(EdgeId e, Edge ends, Point at_u, Point at_v,
                     std::vector<Point>& out) const override;
 
- private:
-  static constexpr std::int64_t kNoBend = std::numeric_limits<std::int64_t>::min();
-  struct alignas(32) Places {
-    std::array<std::int32_t, 4> xy;
-    std::array<std::int64_t, 2> z;
-  };
-  UnwrittenVector<Places> places_;
+  UnwrittenVector<LongBends> of_edge;
 };
 
 /// The order by z, then y, then x.
@@ -46,12 +54,13 @@ inline bool is_below(const Point& p, const Point& q) {
 /// Collects a drawing component by component, stacked in z.
 class Output {
  public:
-  explicit Output(const Graph& graph) : graph_(graph) {}
+  explicit Output(const Graph& graph)
+      : graph_(graph), bends_(std::make_shared<PackedBends>(graph.num_edges())) {}
 
   /// Returns where the next component begins: all of it is drawn at z >= base_z().
   std::int64_t base_z() const { return base_z_; }
-  /// Before a component is written, and not earlier, since what is written is as large as all that
-  /// it is computed from: room for the whole drawing.
+  /// Before a component's vertices are written, and not earlier, since memory that is taken later
+  /// is needed for a shorter time: room for all vertices.
   /// @param vertices  of the component. @param top  not less than its largest z.
   void make_room(std::size_t vertices, std::int64_t top);
   /// Ends a component whose largest z is `top`. @throws InternalError if it passes kMaxCoordinate.
@@ -62,8 +71,11 @@ class Output {
     points_[v] = p;
     largest_ = std::max({largest_, p.x, p.y, p.z});
   }
-  /// @param bends  two of them from the lower end (is_below) to the upper one.
-  void set_bends(EdgeId e, std::span<const Point> bends) { bends_->set(e, bends); }
+  /// @param bends  at most two, from the lower end (is_below) to the upper one.
+  void set_bends(EdgeId e, std::span<const Point> bends);
+  /// The bends of an edge: until they are set, what draw_slabs keeps there for a long edge whose
+  /// first edge it is, z relative to the end in whose slab they are.
+  LongBends& bends(EdgeId e) { return bends_->of_edge[e]; }
 
   /// Ask memory for what is soon to be set.
   [[gnu::always_inline]] void ask_for_vertex(Vertex v) const {
@@ -73,7 +85,9 @@ class Output {
       __builtin_prefetch(points_.data() + v, 1);
     }
   }
-  [[gnu::always_inline]] void ask_for_bends(EdgeId e) const { bends_->ask_for(e); }
+  [[gnu::always_inline]] void ask_for_bends(EdgeId e) const {
+    __builtin_prefetch(bends_->of_edge.data() + e, 1);
+  }
 
   Drawing finish();
 

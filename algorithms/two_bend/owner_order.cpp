@@ -60,7 +60,6 @@ class Forest {
         trees_(view.size()),
         grows_right_(view.size(), false),
         order_(view.size(), kNone) {
-    find_parents();
     for (const Pole& pole : view.flow().poles) {
       if (view.type(pole.node) == NodeType::sink && !view.flow().joint) mark_hanging_block(pole);
     }
@@ -68,25 +67,24 @@ class Forest {
     weigh(weights);
   }
 
-  /// Every tree fills consecutive places of the order: first the roots' places are found, then from
-  /// the roots upwards those of their parts.
+  /// Every tree fills consecutive places of the order: in time order a root's places are found, then
+  /// within a tree's those of its parts, which are later.
   LongVector<NodeId> emit() {
     for (const Pole& pole : view_.flow().poles) {
       if (view_.type(pole.node) != NodeType::source) continue;
       const Unit unit = unit_of(view_, pole);
       if (unit.third_first) place_node(pole.node);
     }
-    for (const NodeId v : roots_in_time_order()) {
-      if (view_.type(v) == NodeType::source) {
-        place_unit(unit_of(view_, view_.pole(v)));
-      } else {
-        place_tree(v, true);
-      }
-    }
     for (NodeId i = 0; i < view_.size(); ++i) {
+      const NodeId v = view_.at(i);
       view_.ask(i + kAhead, trees_);
       view_.ask_types(i + kAhead);
-      if (trees_[view_.at(i)].begin != kNone) place_parts(view_.at(i));
+      if (view_.type(v) == NodeType::source) {
+        place_unit(unit_of(view_, view_.pole(v)));
+      } else if (is_initial_owner(v) && tree_above(v) == kNone) {
+        place_tree(v, true);
+      }
+      if (trees_[v].begin != kNone) place_parts(v);
     }
     order_.resize(end_);
     return std::move(order_);
@@ -106,34 +104,19 @@ class Forest {
     NodeId next = kNone;
   };
 
-  bool is_root(NodeId v) const {
-    return view_.type(v) == NodeType::source || (is_initial_owner(v) && tree_above(v) == kNone);
-  }
-
-  LongVector<NodeId> roots_in_time_order() const {
-    LongVector<NodeId> roots;
-    for (NodeId i = 0; i < view_.size(); ++i) {
-      if (is_root(view_.at(i))) roots.push_back(view_.at(i));
-    }
-    return roots;
-  }
-
   /// SINK rows are put into the list later, the SOURCE's is its unit's business.
   bool is_initial_owner(NodeId v) const {
     const NodeType type = view_.type(v);
     return type != NodeType::sink && type != NodeType::source && view_.is_owner(v);
   }
 
-  void find_parents() {
-    for (NodeId i = 0; i < view_.size(); ++i) {
-      const NodeId v = view_.at(i);
-      const NodeType type = view_.type(v);
-      view_.ask_rows(i + kAhead);
-      if ((type != NodeType::split && type != NodeType::station) || view_.ins(v).empty()) continue;
-      const NodeId u = view_.ins(v)[0];
-      const NodeType below = view_.type(u);
-      if (below == NodeType::split || below == NodeType::source) trees_[v].parent = view_.row_of(u);
-    }
+  NodeId parent_of(NodeId v) const {
+    const NodeType type = view_.type(v);
+    if ((type != NodeType::split && type != NodeType::station) || view_.ins(v).empty())
+      return kNone;
+    const NodeId u = view_.ins(v)[0];
+    const NodeType below = view_.type(u);
+    return below == NodeType::split || below == NodeType::source ? view_.row_of(u) : kNone;
   }
 
   /// Rule 2.2: the roots of a SINK's block other than its entry e are emitted with e's tree, if e
@@ -142,7 +125,7 @@ class Forest {
     const Flow& flow = view_.flow();
     const BlockId block = flow.block[sink.node];
     const NodeId entry = flow.block_entry[block];
-    if (entry == kNone || trees_[entry].parent == kNone) return;
+    if (entry == kNone || parent_of(entry) == kNone) return;
     if (hang_block_.empty()) hang_block_.assign(flow.block_entry.size(), kNone);
     hang_block_[block] = entry;
   }
@@ -153,30 +136,34 @@ class Forest {
     for (NodeId i = view_.size(); i-- > 0;) {
       const NodeId v = view_.at(i);
       const NodeId entry = hang_block_[view_.flow().block[v]];
-      if (entry == kNone || entry == v || !is_initial_owner(v) || trees_[v].parent != kNone)
-        continue;
+      if (entry == kNone || entry == v || !is_initial_owner(v) || parent_of(v) != kNone) continue;
       hanging_[v].on = entry;
       hanging_[v].next = std::exchange(hanging_[entry].first, v);
     }
   }
 
+  /// Attachments go back in time, so clusters add up to their owners.
   void weigh(const LongVector<std::uint32_t>& weights) {
-    for (NodeId i = view_.size();
-         i-- > 0;) {  // attachments go back in time, so clusters add up to their owners
+    for (NodeId i = view_.size(); i-- > 0;) {
       const NodeId v = view_.at(i);
-      if (i >= kAhead) ask_for(trees_, below_in_tree(view_.at(i - kAhead)));
+      view_.ask_rows(i - 2 * kAhead);
+      if (i >= kAhead) find_parent(view_.at(i - kAhead));
+      if (i + kAhead >= view_.size()) find_parent(v);
       Tree& tree = trees_[v];
       tree.weight += weights.empty() ? 1 : weights[v];
       if (is_initial_owner(v)) ++tree.size;
-      const NodeId to = below_in_tree(v);
+      const NodeId to = attachment_[v] != kNone ? attachment_[v] : tree_above(v);
       if (to == kNone) continue;
       trees_[to].weight += tree.weight;
       trees_[to].size += tree.size;
     }
   }
 
-  NodeId below_in_tree(NodeId v) const {
-    return attachment_[v] != kNone ? attachment_[v] : tree_above(v);
+  /// Also asks memory for what v is added to.
+  void find_parent(NodeId v) {
+    trees_[v].parent = parent_of(v);
+    const NodeId to = attachment_[v] != kNone ? attachment_[v] : trees_[v].parent;
+    if (to != kNone) ask_for(trees_, to);
   }
 
   NodeId tree_above(NodeId v) const {

@@ -7,33 +7,11 @@
 
 namespace ar3d::two_bend {
 
-void LongBends::set(std::size_t i, RelativeBend bend) {
-  static constexpr std::int64_t kMost = std::int64_t{1} << 60;
-  expect(-kMost < bend.dz && bend.dz < kMost, "a bend's height fits 61 bits");
-  xy_[2 * i] = bend.x;
-  xy_[2 * i + 1] = bend.y;
-  coded_[i] = bend.dz * 4 + (coded_[i] & 3);
-}
-
-void LongBends::add_lower(RelativeBend bend) {
-  expect(lower_count() < 2 && upper_count() == 0,
-         "an edge has at most two bends, lower ones first");
-  if (lower_count() == 1) set(1, (*this)[0]);
-  set(0, bend);
-  ++coded_[0];
-}
-
-void LongBends::add_upper(RelativeBend bend) {
-  expect(count() < 2, "an edge has at most two bends");
-  set(count(), bend);
-  ++coded_[1];
-}
-
-FlatPoint ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge) {
+Point ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge) {
   const NodeType lower = flow.types[0][edge.lower];
   const NodeType upper = flow.types[0][edge.upper];
   const auto at = [&](NodeId column, NodeId row) {
-    return FlatPoint{layout.columns[column], layout.rows[row]};
+    return Point{layout.columns[column], layout.rows[row], 0};
   };
   if (lower == NodeType::merge || lower == NodeType::station) return at(edge.lower, edge.lower);
   if (upper == NodeType::split || upper == NodeType::station) return at(edge.upper, edge.upper);
@@ -56,24 +34,31 @@ class ViewSlabs {
         slabs_(slabs) {}
 
   /// The end at v of an edge that comes from u, in the view's time.
-  void draw_end(LongId edge, NodeId v, NodeId u) {
+  void draw_end(LongBends& edge, NodeId v, NodeId u) {
     if (view_.type(v) == NodeType::merge) draw_at_merge(v, edge, u);
     if (view_.type(v) == NodeType::sink) draw_at_sink(view_.pole(v), edge, u);
   }
 
  private:
-  void draw_at_merge(NodeId m, LongId edge, NodeId u) {
+  void draw_at_merge(NodeId m, LongBends& edge, NodeId u) {
     const NodeType below = view_.type(u);
     const bool in_one_column = cross_[u] == cross_[m];  // see share_rows
-    if (!in_one_column && (below == NodeType::merge || below == NodeType::station)) {
+    const bool ends_vertically = below == NodeType::merge || below == NodeType::station;
+    if (ends_vertically) count_excess(cross_[u] - cross_[m]);
+    if (!in_one_column && ends_vertically) {
       add_lean_and_arm(m, edge, u);
     } else {
       add(m, edge, cross_[m], own_[u], std::abs(own_[m] - own_[u]));
     }
   }
 
-  void draw_at_sink(const Pole& pole, LongId edge, NodeId u) {
-    const PoleShape& shape = poles_[view_.flow().pole_of[pole.node]];
+  /// Of a lean over q rows: what it adds to the length of its arm and its run at most (run 1).
+  void count_excess(std::int64_t q) {
+    slabs_.lean_excess += std::max(std::abs(q) + 1, (q * q + 1) / 2);
+  }
+
+  void draw_at_sink(const Pole& pole, LongBends& edge, NodeId u) {
+    const PoleShape& shape = poles_[view_.flow().pole_of(pole.node)];
     if (u == shape.up.from) {
       add_pole_lean(pole.node, edge, shape, shape.up, 1);
     } else if (u == shape.down.from) {
@@ -85,31 +70,28 @@ class ViewSlabs {
 
   /// A bend in the view's coordinates, `drop` below v in its time; in upward order of the view. The
   /// slab of the vertex grows with it.
-  void add(NodeId v, LongId edge, std::int64_t cross, std::int64_t own, std::int64_t drop) {
+  void add(NodeId v, LongBends& edge, std::int64_t cross, std::int64_t own, std::int64_t drop) {
     SlabHeights& slab = slabs_.of_node[v];
-    LongBends& bends = slabs_.of_edge[edge];
     if (view_.columns()) {
-      bends.add_lower(bend_at(own, cross, drop));
+      edge.add_lower(bend_at(own, cross, drop));
       slab.above = std::max(slab.above, drop);
       slab.below = std::max(slab.below, -drop);
     } else {
-      bends.add_upper(bend_at(cross, own, -drop));
+      edge.add_upper(bend_at(cross, own, -drop));
       slab.below = std::max(slab.below, drop);
       slab.above = std::max(slab.above, -drop);
     }
   }
 
-  RelativeBend bend_at(std::int64_t x, std::int64_t y, std::int64_t dz) {
+  Point bend_at(std::int64_t x, std::int64_t y, std::int64_t dz) {
     slabs_.left = std::min(slabs_.left, x);
     slabs_.front = std::min(slabs_.front, y);
-    expect(std::max(std::abs(x), std::abs(y)) <= std::numeric_limits<std::int32_t>::max(),
-           "rows and columns fit 32 bits");
-    return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), dz};
+    return {x, y, dz};
   }
 
   /// From the stem or station u a lean into the line cross = const through v, then an arm along it
   /// (VA).
-  void add_lean_and_arm(NodeId v, LongId edge, NodeId u) {
+  void add_lean_and_arm(NodeId v, LongBends& edge, NodeId u) {
     const std::int64_t along = own_[u] - own_[v];
     const std::int64_t across = cross_[u] - cross_[v];
     const ArmLean shape = arm_and_lean(std::abs(along), std::abs(across));
@@ -117,13 +99,13 @@ class ViewSlabs {
     add(v, edge, cross_[v], own_[v] + sign_of(along) * shape.arm, shape.arm);
   }
 
-  void add_pole_lean(NodeId t, LongId edge, const PoleShape& shape, const PoleLean& lean,
+  void add_pole_lean(NodeId t, LongBends& edge, const PoleShape& shape, const PoleLean& lean,
                      int side) {
     add(t, edge, cross_[lean.from], own_[lean.from], lean.height - lean.b);
     add(t, edge, shape.cross - shape.sign * lean.b, shape.own + 2L * side * lean.b, -lean.b);
   }
 
-  void add_special(const Pole& pole, LongId edge, const PoleShape& shape) {
+  void add_special(const Pole& pole, LongBends& edge, const PoleShape& shape) {
     const NodeId t = pole.node;
     const std::int64_t along = std::abs(shape.special_cross - shape.cross);
     if (pole.a_type) {
@@ -131,6 +113,7 @@ class ViewSlabs {
       return;
     }
     const std::int64_t across = std::abs(own_[pole.special] - shape.own);
+    count_excess(own_[pole.special] - own_[t]);
     const ArmLean lean = arm_and_lean(along, across);
     add(t, edge, shape.special_cross, own_[pole.special], lean.total_height());
     add(t, edge, shape.cross + shape.sign * lean.arm, shape.own, lean.arm);
@@ -144,28 +127,25 @@ class ViewSlabs {
 };
 
 /// VV: a lean between the two stems just below the SPLIT.
-void draw_vv_lean(const Flow& flow, const Layout& layout, LongId id, Slabs& slabs) {
-  const NodeId m = flow.edges[id].lower;
-  const NodeId s = flow.edges[id].upper;
+void draw_vv_lean(const Layout& layout, NodeId m, NodeId s, LongBends& bends, Slabs& slabs) {
   const std::int32_t dx = layout.columns[s] - layout.columns[m];
   const std::int32_t dy = layout.rows[s] - layout.rows[m];
   if (dx == 0 && dy == 0) return;  // straight
   const std::int64_t below = lean_height(dx, dy) + 1;
-  slabs.of_edge[id].add_upper({layout.columns[m], layout.rows[m], -below});
-  slabs.of_edge[id].add_upper({layout.columns[s], layout.rows[s], -1});
+  bends.add_upper({layout.columns[m], layout.rows[m], -below});
+  bends.add_upper({layout.columns[s], layout.rows[s], -1});
   slabs.of_node[s].below = below;
 }
 
 }  // namespace
 
-Slabs draw_slabs(const Flow& flow, const Layout& layout) {
+Slabs draw_slabs(const Flow& flow, const Layout& layout, Output& output) {
   Slabs slabs;
   slabs.of_node.resize(flow.nodes.size());
-  slabs.of_edge.resize(flow.edges.size());
   ViewSlabs rows(View(flow, false), layout, slabs);
   ViewSlabs columns(View(flow, true), layout, slabs);
   for (LongId e = 0; e < flow.edges.size(); ++e) {
-    const auto [lower, upper, first, first_edge] = flow.edges[e];
+    const auto [lower, upper, first_edge] = flow.edges[e];
     if (e + kAhead < flow.edges.size()) {
       const NodeId ahead = flow.edges[e + kAhead].upper;
       ask_for(layout.rows, ahead);
@@ -173,10 +153,13 @@ Slabs draw_slabs(const Flow& flow, const Layout& layout) {
       ask_for(slabs.of_node, ahead);
       ask_for(flow.types[0], ahead);
       ask_for(flow.types[1], ahead);
+      output.ask_for_bends(flow.edges[e + kAhead].first_edge);
     }
-    columns.draw_end(e, lower, upper);
-    rows.draw_end(e, upper, lower);
-    if (flow.is_vv_edge(e)) draw_vv_lean(flow, layout, e, slabs);
+    LongBends bends;
+    columns.draw_end(bends, lower, upper);
+    rows.draw_end(bends, upper, lower);
+    if (flow.is_vv_edge(e)) draw_vv_lean(layout, lower, upper, bends, slabs);
+    output.bends(first_edge) = bends;
   }
   return slabs;
 }

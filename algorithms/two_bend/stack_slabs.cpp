@@ -15,57 +15,61 @@ namespace {
 /// Works on places in the time order.
 class Writer {
  public:
-  Writer(const Component& component, Output& output)
-      : in_(component),
+  Writer(const LocalGraph& graph, const LongVector<Vertex>& order, const Attempt& attempt,
+         const LongVector<QBody>& bodies, Output& output)
+      : graph_(graph),
+        order_(order),
+        in_(attempt),
+        bodies_(bodies),
         output_(output),
-        xy_(component.order.list.size()),
-        z_(component.order.list.size(), 0) {}
+        xy_(order.size()),
+        z_(order.size(), 0) {}
 
   void run() {
     mark_bodies();
     count_passes();
     place_nodes();
-    place_ends();
+    if (!in_.flow.joint) place_ends();
     place_heights();
     find_corner();
-    output_.make_room(in_.graph.size(), top_);
+    output_.make_room(graph_.size(), top_);
     for (LongId e = 0; e < in_.flow.edges.size(); ++e) {
       ask_for_edge(e);
       write_edge(e);
     }
     for (std::uint32_t i = 0; i < z_.size(); ++i) {
       if (i + 2 * kAhead < z_.size()) {
-        ask_for(in_.graph.name, in_.order.list[i + 2 * kAhead]);
-        output_.ask_for_vertex(in_.graph.name[in_.order.list[i + kAhead]]);
+        ask_for(graph_.name, order_[i + 2 * kAhead]);
+        output_.ask_for_vertex(graph_.name[order_[i + kAhead]]);
       }
-      output_.set_vertex(in_.graph.name[in_.order.list[i]], point_at(i));
+      output_.set_vertex(graph_.name[order_[i]], point_at(i));
     }
-    for (const QBody& body : in_.bodies) {
+    for (const QBody& body : bodies_) {
       const std::uint32_t i = in_.flow.place[body.joint];
-      draw_q_body(in_.graph, body, point_at(i), is_end(i), output_);
+      draw_q_body(graph_, body, point_at(i), is_end(i), output_);
     }
     output_.end_component(top_);
   }
 
  private:
   /// Rows and columns are below kMaxHorizontal, and so is what is found from them.
-  static FlatPoint flat(std::int64_t x, std::int64_t y) {
-    constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
-    expect(std::max(std::abs(x), std::abs(y)) <= kMost, "rows and columns fit 32 bits");
-    return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+  void stand_at(std::uint32_t i, std::int64_t x, std::int64_t y) {
+    expect(std::in_range<std::int32_t>(x) && std::in_range<std::int32_t>(y),
+           "rows and columns fit 32 bits");
+    xy_[i] = {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
   }
 
-  NodeId node_at(std::uint32_t place) const { return in_.flow.element[place]; }
-  std::uint32_t place_of(NodeId v) const { return in_.flow.nodes[v].place; }
+  NodeId node_at(std::uint32_t place) const { return in_.flow.node_at(place); }
+  std::uint32_t place_of(NodeId v) const { return in_.flow.place_of(v); }
   NodeType type(NodeId v) const { return in_.flow.types[0][v]; }
-  Point point_at(std::uint32_t i) const { return {xy_[i].x - left_, xy_[i].y - front_, z_[i]}; }
+  Point point_at(std::uint32_t i) const { return {xy_[i][0] - left_, xy_[i][1] - front_, z_[i]}; }
 
   /// A joint of a Q body has degree 1: below an END hangs its bridge, so its body stands above.
   bool is_end(std::uint32_t joint) const { return type(node_at(joint)) == NodeType::end; }
 
   void mark_bodies() {
     has_body_.assign(z_.size(), false);
-    for (const QBody& body : in_.bodies) has_body_[in_.flow.place[body.joint]] = true;
+    for (const QBody& body : bodies_) has_body_[in_.flow.place[body.joint]] = true;
   }
 
   void count_passes() {
@@ -76,28 +80,32 @@ class Writer {
   }
 
   void place_nodes() {
+    on_bend_.assign(in_.flow.nodes.size(), false);
     for (NodeId v = 0; v < in_.flow.nodes.size(); ++v) {
-      FlatPoint& p = xy_[place_of(v)];
-      p = {in_.layout.columns[v], in_.layout.rows[v]};
-      if (in_.flow.pole_of[v] == kNone) continue;
-      const PoleShape& shape = in_.layout.poles[in_.flow.pole_of[v]];
-      p = type(v) == NodeType::sink ? flat(shape.cross, shape.own) : flat(shape.own, shape.cross);
+      xy_[place_of(v)] = {in_.layout.columns[v], in_.layout.rows[v]};
+    }
+    for (std::size_t i = 0; i < in_.flow.poles.size(); ++i) {
+      const NodeId v = in_.flow.poles[i].node;
+      const PoleShape& shape = in_.layout.poles[i];
+      const bool is_sink = type(v) == NodeType::sink;
+      stand_at(place_of(v), is_sink ? shape.cross : shape.own, is_sink ? shape.own : shape.cross);
     }
   }
 
   /// Vertices of degree 1 stand on the ray of their edge, until they get a bend of it.
   void place_ends() {
-    on_bend_.assign(in_.flow.nodes.size(), false);
     for (LongId e = 0; e < in_.flow.edges.size(); ++e) {
       const LongEdge& edge = in_.flow.edges[e];
       const bool starts = type(edge.lower) == NodeType::start;
       const bool ends = type(edge.upper) == NodeType::end;
       if (!starts && !ends) continue;
-      const FlatPoint ray = ray_of(in_.flow, in_.layout, edge);
-      if (starts) xy_[place_of(edge.lower)] = ray;
-      if (ends) xy_[place_of(edge.upper)] = ray;
-      if (stands_free(edge.lower)) on_bend_[edge.lower] = bend_under(e, 0);
-      if (stands_free(edge.upper)) on_bend_[edge.upper] = bend_under(e, standing(e) - 1);
+      const Point ray = ray_of(in_.flow, in_.layout, edge);
+      if (starts) stand_at(place_of(edge.lower), ray.x, ray.y);
+      if (ends) stand_at(place_of(edge.upper), ray.x, ray.y);
+      const LongBends& bends = output_.bends(edge.first_edge);
+      const std::size_t all = standing(e);
+      if (stands_free(edge.lower)) on_bend_[edge.lower] = bend_under(bends, all, 0);
+      if (stands_free(edge.upper)) on_bend_[edge.upper] = bend_under(bends, all, all - 1);
     }
   }
 
@@ -113,11 +121,9 @@ class Writer {
            stands_free(in_.flow.edges[e].upper);
   }
 
-  /// True if the k-th of the vertices on a long edge, upwards, stands on a bend: the first ones on
+  /// True if the k-th of `all` vertices on a long edge, upwards, stands on a bend: the first ones on
   /// the lower bends and the last ones on the upper bends, as far as they go.
-  bool bend_under(LongId e, std::size_t k) const {
-    const LongBends& bends = in_.slabs.of_edge[e];
-    const std::size_t all = standing(e);
+  static bool bend_under(const LongBends& bends, std::size_t all, std::size_t k) {
     return all <= bends.count() || k < bends.lower_count() || all - k <= bends.upper_count();
   }
 
@@ -130,7 +136,9 @@ class Writer {
       SlabHeights slab;
       if (in_.flow.is_pass[i]) {
         const LongId e = in_.flow.element[i];
-        if (bend_under(e, passed[e]++ + stands_free(in_.flow.edges[e].lower))) continue;
+        const LongEdge& edge = in_.flow.edges[e];
+        const std::size_t k = passed[e]++ + stands_free(edge.lower);
+        if (bend_under(output_.bends(edge.first_edge), standing(e), k)) continue;
       } else {
         if (on_bend_[node_at(i)]) continue;
         slab = in_.slabs.of_node[node_at(i)];
@@ -152,93 +160,98 @@ class Writer {
       front_ = std::min(front_, y);
     };
     for (std::uint32_t i = 0; i < z_.size(); ++i) {
-      if (!in_.flow.is_pass[i]) include(xy_[i].x, xy_[i].y);
+      if (!in_.flow.is_pass[i]) include(xy_[i][0], xy_[i][1]);
     }
-    for (const QBody& body : in_.bodies) {
+    for (const QBody& body : bodies_) {
       const std::uint32_t i = in_.flow.place[body.joint];
-      include(xy_[i].x - (is_end(i) ? 0 : kQHalfWidth), xy_[i].y - (is_end(i) ? kQHalfWidth : 0));
+      include(xy_[i][0] - (is_end(i) ? 0 : kQHalfWidth), xy_[i][1] - (is_end(i) ? kQHalfWidth : 0));
     }
-  }
-
-  /// All bends of a long edge, upwards.
-  std::array<Point, 2> bends_of(LongId e) const {
-    const LongEdge& edge = in_.flow.edges[e];
-    const LongBends& bends = in_.slabs.of_edge[e];
-    std::array<Point, 2> points;
-    for (std::size_t i = 0; i < bends.count(); ++i) {
-      const RelativeBend bend = bends[i];
-      const std::int64_t z = z_[place_of(i < bends.lower_count() ? edge.lower : edge.upper)];
-      points[i] = {bend.x - left_, bend.y - front_, z + bend.dz};
-    }
-    return points;
   }
 
   /// Asks memory for what edges soon to be written need.
   [[gnu::always_inline]] void ask_for_edge(LongId e) const {
     const auto& edges = in_.flow.edges;
-    if (e + 2 * kAhead >= edges.size()) return;
-    ask_for(in_.flow.nodes, edges[e + 2 * kAhead].upper);
+    if (e + kAhead >= edges.size()) return;
     ask_for(z_, place_of(edges[e + kAhead].upper));
     output_.ask_for_bends(edges[e + kAhead].first_edge);
   }
 
   void write_edge(LongId e) {
     const LongEdge& edge = in_.flow.edges[e];
-    const std::array<Point, 2> points = bends_of(e);
-    if (standing(e) == 0) {
-      output_.set_bends(edge.first_edge, {points.data(), in_.slabs.of_edge[e].count()});
+    const LongBends bends = output_.bends(edge.first_edge);
+    std::array<Point, 2> points;
+    for (std::size_t i = 0; i < bends.count(); ++i) {
+      const std::int64_t z = z_[place_of(i < bends.lower_count() ? edge.lower : edge.upper)];
+      points[i] = bends[i] + Vector{-left_, -front_, z};
+    }
+    if (in_.flow.joint || standing(e) == 0) {
+      output_.set_bends(edge.first_edge, {points.data(), bends.count()});
     } else {
-      write_chain(e, points);
+      write_chain(e, bends, points);
     }
   }
 
   /// Vertices of degree 1 and 2 on the edge stand on its bends; the bends that are left go to the
   /// chain's last input edge. All other PASS vertices stand on the ray between.
-  void write_chain(LongId e, const std::array<Point, 2>& points) {
+  void write_chain(LongId e, const LongBends& bends, const std::array<Point, 2>& points) {
     const LongEdge& edge = in_.flow.edges[e];
-    const FlatPoint ray = ray_of(in_.flow, in_.layout, edge);
+    const Point ray = ray_of(in_.flow, in_.layout, edge);
+    const std::size_t all = standing(e);
     std::size_t k = 0;
     std::size_t used = 0;
     const auto stand_on_bend = [&](std::uint32_t i) {
-      if (!bend_under(e, k++)) return false;
+      if (!bend_under(bends, all, k++)) return false;
       stand_on(i, points[used++]);
       return true;
     };
-    if (stands_free(edge.lower)) stand_on_bend(place_of(edge.lower));
-    std::uint32_t i = edge.first;
+    std::uint32_t i = place_of(edge.lower);
+    if (stands_free(edge.lower)) stand_on_bend(i);
     EdgeId id = edge.first_edge;
-    for (const std::uint32_t top = place_of(edge.upper); i != top;) {
-      if (!stand_on_bend(i)) xy_[i] = ray;
+    for (const std::uint32_t top = place_of(edge.upper); (i = end_of(i, id)) != top;) {
+      if (!stand_on_bend(i)) stand_at(i, ray.x, ray.y);
       output_.set_bends(id, {});
-      const Vertex v = in_.order.list[i];
-      const std::size_t other = in_.graph.edges[v][0] == id ? 1 : 0;
-      id = in_.graph.edges[v][other];
-      i = in_.flow.place[in_.graph.neighbours[v].to[other]];
+      const auto& edges = graph_.edges[order_[i]];
+      id = edges[edges[0] == id ? 1 : 0];
     }
-    std::size_t last = in_.slabs.of_edge[e].count();
-    if (stands_free(edge.upper) && bend_under(e, k)) stand_on(i, points[--last]);
+    std::size_t last = bends.count();
+    if (stands_free(edge.upper) && bend_under(bends, all, k)) stand_on(i, points[--last]);
     output_.set_bends(id, {points.data() + used, last - used});
   }
 
+  /// The place of the other end of an input edge of the vertex at a place.
+  std::uint32_t end_of(std::uint32_t i, EdgeId id) const {
+    const Vertex v = order_[i];
+    const auto& edges = graph_.edges[v];
+    const auto k =
+        static_cast<std::size_t>(std::find(edges.begin(), edges.end(), id) - edges.begin());
+    return in_.flow.place[graph_.neighbours[v].to[k]];
+  }
+
   void stand_on(std::uint32_t i, const Point& bend) {
-    xy_[i] = flat(bend.x + left_, bend.y + front_);
+    stand_at(i, bend.x + left_, bend.y + front_);
     z_[i] = bend.z;
   }
 
-  const Component& in_;
+  const LocalGraph& graph_;
+  const LongVector<Vertex>& order_;
+  const Attempt& in_;
+  const LongVector<QBody>& bodies_;
   Output& output_;
-  LongVector<FlatPoint> xy_;          // per place
-  LongVector<std::int64_t> z_;        // per place
-  std::vector<bool> has_body_;        // per place
-  LongVector<std::uint32_t> passes_;  // per long edge; empty if there is none
-  std::vector<bool> on_bend_;         // per node
-  std::int64_t left_ = 0;             // least x and y: the origin of what is written
+  LongVector<std::array<std::int32_t, 2>> xy_;  // per place
+  LongVector<std::int64_t> z_;                  // per place
+  std::vector<bool> has_body_;                  // per place
+  LongVector<std::uint32_t> passes_;            // per long edge; empty if there is none
+  std::vector<bool> on_bend_;                   // per node
+  std::int64_t left_ = 0;                       // least x and y: the origin of what is written
   std::int64_t front_ = 0;
   std::int64_t top_ = 0;
 };
 
 }  // namespace
 
-void stack_slabs(const Component& component, Output& output) { Writer(component, output).run(); }
+void stack_slabs(const LocalGraph& graph, const LongVector<Vertex>& order, const Attempt& attempt,
+                 const LongVector<QBody>& bodies, Output& output) {
+  Writer(graph, order, attempt, bodies, output).run();
+}
 
 }  // namespace ar3d::two_bend

@@ -15,15 +15,15 @@ StOrder::StOrder(const LocalGraph& graph, const BlockTree& blocks)
     : graph_(graph), blocks_(blocks), seen_(graph.size(), false), number_(graph.size()) {
   visited_.reserve(graph.size());
   numbered_.reserve(graph.size());
+  turns_.reserve(graph.size());
 }
 
-const LongVector<Vertex>& StOrder::order(Vertex s, Vertex t) {
+LongVector<Vertex> StOrder::order(Vertex s, Vertex t) {
   expect(s != t && !blocks_.is_bridge(s, t), "an st-order runs between two vertices of one block");
   search(s, t);
   find_lows();
-  place_in_preorder();
   for (const Vertex v : visited_) seen_[v] = false;
-  return list_;
+  return place_in_preorder();
 }
 
 /// Depth-first search of the block from t, with the virtual tree edge s - t above it.
@@ -73,9 +73,9 @@ void StOrder::find_lows() {
 /// Tarjan inserts the vertices in preorder, each directly before or after its parent. So a subtree
 /// lies together, and a child's lies next to all those of its parent's that were inserted on this
 /// side before.
-void StOrder::place_in_preorder() {
-  list_.resize(visited_.size());
-  list_[0] = visited_[0];
+LongVector<Vertex> StOrder::place_in_preorder() {
+  LongVector<Vertex> list(visited_.size());
+  list[0] = visited_[0];
   plus_.assign(numbered_.size(), false);
   numbered_[1].low = 1;
   numbered_[1].size = static_cast<std::uint32_t>(numbered_.size());
@@ -92,8 +92,9 @@ void StOrder::place_in_preorder() {
   for (Vertex i = 1; i < numbered_.size(); ++i) {
     const auto [parent, begin, end] = numbered_[i];
     expect(begin + 1 == end, "a vertex has one place");
-    list_[begin] = visited_[i];
+    list[begin] = visited_[i];
   }
+  return list;
 }
 
 namespace {
@@ -148,7 +149,9 @@ std::optional<LongVector<Vertex>> list_with_both_ends(const LocalGraph& graph, S
 /// Vertices in breadth-first order from `start`.
 LongVector<Vertex> breadth_first(const LocalGraph& graph, Vertex start) {
   std::vector<bool> seen(graph.size(), false);
-  LongVector<Vertex> queue{start};
+  LongVector<Vertex> queue;
+  queue.reserve(graph.size());
+  queue.push_back(start);
   seen[start] = true;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     if (i + kAhead < queue.size()) ask_for(graph.neighbours, queue[i + kAhead]);

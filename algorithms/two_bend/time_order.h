@@ -16,7 +16,7 @@ class StOrder {
   /// The block of s from s to t: every other vertex has an earlier and a later neighbour inside the
   /// block. s and t are different vertices of one block with at least 3 vertices. Cost: O(size of
   /// the block).
-  const LongVector<Vertex>& order(Vertex s, Vertex t);
+  LongVector<Vertex> order(Vertex s, Vertex t);
 
  private:
   /// Holds what is known of the vertex with a number; all names in it are numbers.
@@ -28,7 +28,7 @@ class StOrder {
   void search(Vertex s, Vertex t);
   void visit(Vertex v, Vertex parent);
   void find_lows();
-  void place_in_preorder();
+  LongVector<Vertex> place_in_preorder();
 
   const LocalGraph& graph_;
   const BlockTree& blocks_;
@@ -40,7 +40,6 @@ class StOrder {
   /// Vertices that were unseen when a neighbour was visited, and that neighbour's number: the next
   /// one last.
   LongVector<std::pair<Vertex, Vertex>> turns_;
-  LongVector<Vertex> list_;
 };
 
 /// Repairs the end of an st-order ... p5 y w c t whose last vertex has three earlier neighbours

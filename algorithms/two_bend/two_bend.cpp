@@ -26,45 +26,20 @@ static_assert(1000 * kMostVertices * kMostVertices + 1000 < kMaxCoordinate);
 /// Extents in x, y and z.
 using Extents = std::array<std::int64_t, 3>;
 
-/// Returns what a lean over q rows adds to the length of its arm and its run at most (run 1).
-std::int64_t lean_excess(std::int64_t q) { return std::max(q + 1, (q * q + 1) / 2); }
-
-/// Excess of the leans into the MERGEs of a view, and of the special edges of its V-type SINKs.
-std::int64_t lean_excesses(const View& view, const Values& cross, const Values& own) {
-  std::int64_t sum = 0;
-  for (NodeId i = 0; i < view.size(); ++i) {
-    const NodeId m = view.at(i);
-    view.ask(i + kAhead, cross);
-    if (view.type(m) == NodeType::sink && !view.pole(m).a_type) {
-      const Pole& pole = view.pole(m);
-      sum += lean_excess(std::abs(own[pole.special] - own[pole.node]));
-    }
-    if (view.type(m) != NodeType::merge) continue;
-    for (const NodeId u : view.ins(m)) {
-      const NodeType below = view.type(u);
-      if (below == NodeType::merge || below == NodeType::station)
-        sum += lean_excess(std::abs(cross[u] - cross[m]));
-    }
-  }
-  return sum;
-}
-
 /// Extents that the proof of Lemma 2.18 promises for this very component, from the numbers of its
 /// parts and the distances in its lists, never from the points they are compared with.
 /// @param places  vertices in the time order; @param bodies  Q bodies.
-Extents bound_component(const Flow& flow, const Layout& layout, std::size_t places,
-                        std::size_t bodies) {
+Extents bound_component(const Flow& flow, const Layout& layout, const Slabs& slabs,
+                        std::size_t places, std::size_t bodies) {
   const std::int64_t margin = 2 * (layout.largest_gap + kQHalfWidth) + 1;
   const std::int64_t x = layout.width_bound[1] + margin;
   const std::int64_t y = layout.width_bound[0] + margin;
   std::int64_t z = static_cast<std::int64_t>(places) +
-                   static_cast<std::int64_t>(bodies) * kQHeight +
-                   lean_excesses(View(flow, false), layout.columns, layout.rows) +
-                   lean_excesses(View(flow, true), layout.rows, layout.columns);
-  for (const Node& node : flow.nodes) {
-    if (node.type == NodeType::split) z += x;
-    if (node.type == NodeType::merge) z += y;
-    if (node.type == NodeType::source || node.type == NodeType::sink) z += x + y + margin;
+                   static_cast<std::int64_t>(bodies) * kQHeight + slabs.lean_excess;
+  for (const NodeType type : flow.types[0]) {
+    if (type == NodeType::split) z += x;
+    if (type == NodeType::merge) z += y;
+    if (type == NodeType::source || type == NodeType::sink) z += x + y + margin;
   }
   z += static_cast<std::int64_t>(flow.vv_edges.size()) * (x + y + 2);
   return {x, y, z};
@@ -77,11 +52,12 @@ struct TwoBendCensus {
   std::int64_t rounds = 0, safe_rounds = 0;
   Extents bound{};  // components are stacked in z
 
-  void add(const Flow& flow, const Layout& layout, std::size_t places, std::size_t bodies) {
-    add_bound(bound_component(flow, layout, places, bodies));
+  void add(const Attempt& drawn, std::size_t places, std::size_t bodies) {
+    const auto& [flow, layout, slabs] = drawn;
+    add_bound(bound_component(flow, layout, slabs, places, bodies));
     q_bodies += static_cast<std::int64_t>(bodies);
     vv_leans += static_cast<std::int64_t>(flow.vv_edges.size());
-    for (const Node& node : flow.nodes) stations += node.type == NodeType::station ? 1 : 0;
+    stations += std::count(flow.types[0].begin(), flow.types[0].end(), NodeType::station);
     for (const Pole& pole : flow.poles) {
       const bool is_sink = flow.nodes[pole.node].type == NodeType::sink;
       ++(is_sink ? (pole.a_type ? sinks_a : sinks_v) : (pole.a_type ? sources_a : sources_v));
@@ -106,29 +82,21 @@ struct TwoBendCensus {
   }
 };
 
-/// One way to lay a component out.
-struct Attempt {
-  Flow flow;
-  Layout layout;
-  Slabs slabs;
-};
-
-Attempt draw_layout(Flow flow, Layout layout) {
+Attempt draw_layout(Flow flow, Layout layout, Output& output) {
   flow.forget_lists();
-  Slabs slabs = draw_slabs(flow, layout);
+  Slabs slabs = draw_slabs(flow, layout, output);
   return {std::move(flow), std::move(layout), std::move(slabs)};
 }
 
-std::optional<Attempt> lay_out(Flow flow, int effort) {
-  std::optional<Layout> layout =
-      find_layout(flow, build_lists(flow, effort > 0), effort == 0 ? 0u : 2u);
+std::optional<Attempt> lay_out(Flow flow, int effort, Output& output) {
+  std::optional<Layout> layout = find_layout(flow, build_lists(flow, effort > 0), effort > 0);
   if (!layout) return std::nullopt;
-  return draw_layout(std::move(flow), *std::move(layout));
+  return draw_layout(std::move(flow), *std::move(layout), output);
 }
 
-Attempt lay_out_safely(Flow flow) {
+Attempt lay_out_safely(Flow flow, Output& output) {
   Layout layout = find_safe_layout(flow, build_safe_lists(flow));
-  return draw_layout(std::move(flow), std::move(layout));
+  return draw_layout(std::move(flow), std::move(layout), output);
 }
 
 std::int64_t width_of(const Values& values) {
@@ -161,12 +129,12 @@ bool keeps_box(const Attempt& attempt, std::size_t n, std::size_t places, std::s
 /// first one fails would take 72 bytes per vertex of every drawing.
 /// @param is_small  whether an attempt keeps the smaller box.
 template <class MakeFlow, class IsSmall>
-Attempt find_attempt(MakeFlow make_flow, const Options& options, IsSmall is_small) {
-  if (options.force_safe_layout) return lay_out_safely(make_flow());
-  std::optional<Attempt> ordinary = lay_out(make_flow(), options.effort);
+Attempt find_attempt(MakeFlow make_flow, const Options& options, IsSmall is_small, Output& output) {
+  if (options.force_safe_layout) return lay_out_safely(make_flow(), output);
+  std::optional<Attempt> ordinary = lay_out(make_flow(), options.effort, output);
   if (ordinary && is_small(*ordinary)) return *std::move(ordinary);
   ordinary.reset();
-  return lay_out_safely(make_flow());
+  return lay_out_safely(make_flow(), output);
 }
 
 void draw_component(LocalGraph& graph, const Options& options, Output& output,
@@ -195,9 +163,14 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output,
       find_attempt([&] { return build_flow(graph, blocks, order); }, options,
                    [&](const Attempt& attempt) {
                      return keeps_box(attempt, graph.size(), order.list.size(), bodies.size());
-                   });
-  stack_slabs({graph, order, found.flow, found.layout, found.slabs, bodies}, output);
-  census.add(found.flow, found.layout, order.list.size(), bodies.size());
+                   },
+                   output);
+  if (found.flow.joint) {  // every place is a node: nothing reads the graph
+    release(graph.neighbours);
+    release(graph.edges);
+  }
+  stack_slabs(graph, order.list, found, bodies, output);
+  census.add(found, order.list.size(), bodies.size());
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ class ListBuilder {
       const NodeId v = view_.at(i);
       ask_ahead(i);
       if (view_.type(v) == NodeType::sink) {
-        place_sink(poles_[view_.flow().pole_of[v]]);
+        place_sink(poles_[view_.flow().pole_of(v)]);
       } else if (view_.is_listed_merge(v) && !postponed_[v]) {
         insert_attached(v);
       }
@@ -229,6 +229,7 @@ EntryList::EntryList(std::size_t num_nodes, const LongVector<NodeId>& owners) : 
   NodeId last = kNone;
   std::uint32_t rank = 0;
   for (const NodeId v : owners) {
+    if (rank + kAhead < owners.size()) ask_for(links_, owners[rank + kAhead]);
     expect(!contains(v), "an owner is listed once");
     links_[v] = {last, kNone, v, rank++};
     (last == kNone ? first_ : links_[last].next) = v;

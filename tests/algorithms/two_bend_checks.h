@@ -99,7 +99,7 @@ inline bool rays_differ(const Flow& flow, const Layout& layout) {
   using Span = std::tuple<std::int64_t, std::int64_t, NodeId, NodeId>;  // x, y, from, to
   LongVector<Span> spans;
   for (const LongEdge& edge : flow.edges) {
-    const FlatPoint ray = ray_of(flow, layout, edge);
+    const Point ray = ray_of(flow, layout, edge);
     spans.emplace_back(ray.x, ray.y, edge.lower, edge.upper);
   }
   std::sort(spans.begin(), spans.end());

@@ -164,7 +164,7 @@ TEST(TwoBendList, EntryListAgreesWithAVector) {
 void expect_layout(const Flow& flow, const Lists& lists, const Layout& layout) {
   for (const bool columns : {false, true}) {
     const View view(flow, columns);
-    const LongVector<NodeId>& list = columns ? lists.columns : lists.rows;
+    const LongVector<NodeId>& list = lists[columns ? 1 : 0];
     EXPECT_TRUE(merges_are_between(view, list));
     EXPECT_TRUE(merges_keep_distances(view, columns ? layout.columns : layout.rows));
     EXPECT_TRUE(shared_rows_are_plane(view, columns ? layout.rows : layout.columns));
@@ -194,7 +194,7 @@ void expect_stages(const Graph& whole) {
     for (const bool share : {false, true}) {
       Flow own = flow;
       const Lists lists = build_lists(own, share);
-      const auto layout = find_layout(own, lists, share ? 2 : 0);
+      const auto layout = find_layout(own, lists, share);
       if (layout) expect_layout(own, lists, *layout);
     }
     Flow safe = flow;
@@ -226,11 +226,11 @@ TEST(TwoBendChecks, SeeWhatIsSpoilt) {
   const TimeOrder order = find_time_order(graph, blocks);
   Flow flow = build_flow(graph, blocks, order);
   const Lists lists = build_lists(flow, true);
-  const Layout layout = find_layout(flow, lists, 2).value();
+  const Layout layout = find_layout(flow, lists, true).value();
   const View rows(flow, false);
   EXPECT_TRUE(is_time_order(graph, order));
   EXPECT_TRUE(arms_are_not_parallel(flow));
-  EXPECT_TRUE(merges_are_between(rows, lists.rows));
+  EXPECT_TRUE(merges_are_between(rows, lists[0]));
   EXPECT_TRUE(merges_keep_distances(rows, layout.rows));
   EXPECT_TRUE(rays_differ(flow, layout));
   EXPECT_TRUE(vv_leans_are_primitive(flow, layout));
@@ -244,7 +244,7 @@ TEST(TwoBendChecks, SeeWhatIsSpoilt) {
                                   [](const Node& v) { return v.type == NodeType::split; });
   split->neighbour.fill(split->neighbour[split->ins]);
   EXPECT_FALSE(arms_are_not_parallel(parallel));
-  LongVector<NodeId> list = lists.rows;
+  LongVector<NodeId> list = lists[0];
   const auto merge =
       std::find_if(list.begin(), list.end(), [&](NodeId v) { return rows.is_listed_merge(v); });
   ASSERT_NE(merge, list.end());
