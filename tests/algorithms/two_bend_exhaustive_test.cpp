@@ -37,16 +37,26 @@ INSTANTIATE_TEST_SUITE_P(Sizes, TwoBendExhaustive, ::testing::Range(1, 12), name
 /// How many there are of each size: 18,745 in all.
 constexpr std::array<std::size_t, 10> kGraphs = {0, 1, 2, 4, 11, 34, 122, 510, 2590, 15471};
 
+/// Every graph at both efforts, as given and relabelled.
+void expect_109(const std::vector<Graph>& graphs, int relabellings) {
+  std::uint64_t seed = 0;
+  for (const Graph& graph : graphs) {
+    for (const int effort : {0, 1}) {
+      ASSERT_EQ(two_bend_109_fault(graph, {.effort = effort}), "") << "effort " << effort;
+      for (int relabelling = 0; relabelling < relabellings; ++relabelling) {
+        const Graph relabelled = shuffled(graph, ++seed);
+        ASSERT_EQ(two_bend_109_fault(relabelled, {.effort = effort}), "") << "seed " << seed;
+      }
+    }
+  }
+}
+
 class TwoBend109SmallGraphs : public ::testing::TestWithParam<int> {};
 
 TEST_P(TwoBend109SmallGraphs, AreCertifiedAtBothEfforts) {
   const std::vector<Graph> graphs = geng(fmt::format("-D4 {}", GetParam()));
-  ASSERT_EQ(graphs.size(), kGraphs[static_cast<std::size_t>(GetParam())]);
-  for (const Graph& graph : graphs) {
-    for (const int effort : {0, 1}) {
-      ASSERT_EQ(two_bend_109_fault(graph, {.effort = effort}), "") << "effort " << effort;
-    }
-  }
+  ASSERT_EQ(graphs.size(), kGraphs.at(static_cast<std::size_t>(GetParam())));
+  expect_109(graphs, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(UpToNineVertices, TwoBend109SmallGraphs, ::testing::Range(1, 10),
@@ -59,16 +69,7 @@ TEST_P(TwoBend109Regular, AreCertifiedUnderThreeLabellings) {
                                              {9, 16}, {10, 59}, {11, 265}, {12, 1544}};
   const std::vector<Graph> graphs = geng(fmt::format("-c -d4 -D4 {}", GetParam()));
   ASSERT_EQ(graphs.size(), counts.at(GetParam()));
-  std::uint64_t seed = 0;
-  for (const Graph& graph : graphs) {
-    for (const int effort : {0, 1}) {
-      ASSERT_EQ(two_bend_109_fault(graph, {.effort = effort}), "") << "effort " << effort;
-      for (int relabelling = 0; relabelling < 2; ++relabelling) {
-        const Graph relabelled = shuffled(graph, ++seed);
-        ASSERT_EQ(two_bend_109_fault(relabelled, {.effort = effort}), "") << "seed " << seed;
-      }
-    }
-  }
+  expect_109(graphs, 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(UpToTwelveVertices, TwoBend109Regular, ::testing::Range(5, 13),
@@ -96,30 +97,20 @@ TEST(TwoBendPaperExhaustive, ConnectedCubicGraphsUpTo14) {
 }
 
 TEST(TwoBendPaperExhaustive, RandomCubicGraphsUpTo2000) {
-  const Family& family = find_family("random-cubic");
   for (const std::uint64_t n : {500, 1000, 2000}) {
     for (const std::uint64_t seed : {1, 2, 3}) {
-      expect_right_in_reference(generate(family, n, seed, complete_parameters(family, {})));
+      expect_right_in_reference(generate(find_family("random-cubic"), n, seed));
     }
   }
 }
 
 TEST(TwoBendPaperExhaustive, RandomMixturesOfFigures) {
-  RandomStream random(4);
-  const Family& family = find_family("random-subcubic");
-  for (std::uint64_t i = 0; i < 1500; ++i) {
-    Blown blown(generate(family, 2 + random.below(10), i, complete_parameters(family, {})));
-    const std::uint32_t figures = 1 + random.below(24);
-    for (std::uint32_t j = 0; j < figures; ++j) blown.any(random);
-    expect_right_in_reference(blown.graph(), fmt::format("mixture {}", i));
-    if (HasFailure()) return;
-  }
+  expect_mixtures_right(1500, RandomStream(4), 10, 24);
 }
 
 TEST(TwoBendPaperExhaustive, LongCyclesPrismsAndManyComponents) {
   for (const char* name : {"cycle", "prism", "union-k4", "mixed-union", "path", "edgeless"}) {
-    const Family& family = find_family(name);
-    expect_right_in_reference(generate(family, 1200, 1, complete_parameters(family, {})), name);
+    expect_right_in_reference(generate(find_family(name), 1200, 1), name);
   }
 }
 

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/base/random.h"
-#include "ar3d/model/graph.h"
+#include "ar3d/generators/random_graphs.h"
 
 namespace ar3d::testing {
 
@@ -60,23 +59,6 @@ class Sketch {
     for (const Edge e : other.edges()) join(e.u + first, e.v + first);
     return first;
   }
-  /// Random switches of two edges that keep all degrees.
-  void mix(RandomStream& random, std::size_t switches) {
-    for (std::size_t i = 0; i < switches; ++i) {
-      const auto a = random.below(static_cast<std::uint32_t>(edges_.size()));
-      const auto b = random.below(static_cast<std::uint32_t>(edges_.size()));
-      const Edge e = edges_[a];
-      Edge f = edges_[b];
-      if (random.chance(1, 2)) std::swap(f.u, f.v);
-      if (e.u == f.u || e.v == f.v || e.u == f.v || e.v == f.u || joined(e.u, f.v) ||
-          joined(f.u, e.v))
-        continue;
-      cut(std::max(a, b));
-      cut(std::min(a, b));
-      join(e.u, f.v);
-      join(f.u, e.v);
-    }
-  }
   Graph graph() const { return Graph(size(), edges_); }
 
  private:
@@ -85,22 +67,9 @@ class Sketch {
   std::set<std::pair<Vertex, Vertex>> pairs_;
 };
 
-/// Cubic, n >= 4 even; connected with high probability for large n.
+/// Cubic and connected, n >= 4 even.
 inline Sketch random_cubic_sketch(Vertex n, RandomStream& random) {
-  Sketch sketch(n);
-  if (n == 4) {
-    for (Vertex v = 0; v < 4; ++v) {
-      for (Vertex u = 0; u < v; ++u) sketch.join(u, v);
-    }
-    return sketch;
-  }
-  for (Vertex v = 0; v < n / 2; ++v) {  // a prism
-    sketch.join(v, (v + 1) % (n / 2));
-    sketch.join(n / 2 + v, n / 2 + (v + 1) % (n / 2));
-    sketch.join(v, n / 2 + v);
-  }
-  sketch.mix(random, 10 * n);
-  return sketch;
+  return Sketch(random_connected_regular(n, 3, random.next64()));
 }
 
 /// Cubic graph with one edge subdivided: a leaf block with 5, 7, 9 or 11 vertices; `end` is its
@@ -130,16 +99,6 @@ inline void hang_leaves(Sketch& sketch, RandomStream& random, std::uint32_t perc
       }
     }
   }
-}
-
-/// A random tree of maximum degree 3.
-inline Sketch random_tree_sketch(Vertex n, RandomStream& random) {
-  Sketch sketch(1);
-  while (sketch.size() < n) {
-    const Vertex v = random.below(sketch.size());
-    if (sketch.degree(v) < 3) sketch.join(v, sketch.add_vertex());
-  }
-  return sketch;
 }
 
 /// A ring of cubic pieces, each opened at one edge: bridgeless, cubic, with many two-edge cuts.
@@ -174,7 +133,7 @@ inline Graph random_graph_of_any_kind(Vertex n, std::uint64_t seed) {
     case 1:
       return random_necklace(2 + n / 8, random).graph();
     case 2: {  // a tree with all kinds of leaves
-      Sketch sketch = random_tree_sketch(std::max<Vertex>(1, n / 4), random);
+      Sketch sketch(random_tree(std::max<Vertex>(1, n / 4), 3, random.next64()));
       hang_leaves(sketch, random, 30 + random.below(71), random.below(30));
       return sketch.graph();
     }
@@ -208,7 +167,7 @@ inline Graph random_graph_of_any_kind(Vertex n, std::uint64_t seed) {
     default: {  // a union
       Sketch sketch = random_necklace(2, random);
       sketch.add_copy(random_cubic_sketch(4 + 2 * random.below(3), random));
-      sketch.add_copy(random_tree_sketch(std::max<Vertex>(1, n / 3), random));
+      sketch.add_copy(Sketch(random_tree(std::max<Vertex>(1, n / 3), 3, random.next64())));
       hang_leaves(sketch, random, random.below(50), random.below(50));
       return sketch.graph();
     }

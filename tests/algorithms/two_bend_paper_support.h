@@ -3,6 +3,7 @@
 // What every drawing of two-bend-paper has to keep in the reference type, and graphs that nest the
 // figures of its contractions.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 #include "ar3d/base/random.h"
-#include "ar3d/model/graph.h"
+#include "ar3d/generators/catalog.h"
 #include "ar3d/verify/assessment/real_assessment.h"
 #include "support/graphs.h"
 
@@ -92,15 +93,24 @@ class Blown {
 };
 
 /// A triangle in place of a vertex, again and again: `levels` regular hexagons inside one another
-/// if that vertex has degree 3.
-inline Graph hexagon_nest(const Graph& graph, int levels) {
+/// if that vertex has degree 3, heptagons if it has degree 2, as the third corner has then.
+inline Graph nest(const Graph& graph, int levels) {
   Blown blown(graph);
   Vertex v = 0;
   for (int i = 0; i < levels; ++i) v = blown.triangle(v);
   return blown.graph();
 }
 
-/// The same in the third corner of a vertex of degree 2, which has degree 2 again: heptagons.
-inline Graph heptagon_nest(const Graph& graph, int levels) { return hexagon_nest(graph, levels); }
+/// Some graphs of maximum degree 3 with random figures in place of vertices.
+inline void expect_mixtures_right(std::uint64_t count, RandomStream random,
+                                  std::uint32_t most_vertices, std::uint32_t most_figures) {
+  for (std::uint64_t i = 0; i < count; ++i) {
+    Blown blown(generate(find_family("random-subcubic"), 2 + random.below(most_vertices), i));
+    const std::uint32_t figures = 1 + random.below(most_figures);
+    for (std::uint32_t j = 0; j < figures; ++j) blown.any(random);
+    expect_right_in_reference(blown.graph(), fmt::format("mixture {}", i));
+    if (::testing::Test::HasFailure()) return;
+  }
+}
 
 }  // namespace ar3d::testing

@@ -26,8 +26,7 @@ using two_bend_paper::FigureKind;
 using two_bend_paper::RealType;
 
 Graph made(const char* family, std::uint64_t n, std::uint64_t seed = 1) {
-  const Family& row = find_family(family);
-  return generate(row, n, seed, complete_parameters(row, {}));
+  return generate(find_family(family), n, seed);
 }
 
 TEST(TwoBendPaper, AllSmallGraphs) {
@@ -53,42 +52,27 @@ TEST(TwoBendPaper, SmallConnectedCubicGraphsAsGivenAndRelabelled) {
 TEST(TwoBendPaper, EveryFamilyOfMaximumDegreeThree) {
   for (const Family& family : families()) {
     if (family.max_degree > 3) continue;
-    expect_right_in_reference(generate(family, 40, 7, complete_parameters(family, {})),
-                              family.name);
+    expect_right_in_reference(generate(family, 40, 7), family.name);
   }
 }
 
 TEST(TwoBendPaper, NestsOfHexagonsAndHeptagons) {
   for (const int levels : {1, 2, 3, 10, 40, 79}) {
-    expect_right_in_reference(hexagon_nest(complete(4), levels), "hexagons in K4");
+    expect_right_in_reference(nest(complete(4), levels), "hexagons in K4");
   }
   for (const int levels : {1, 2, 3, 10, 30}) {
-    expect_right_in_reference(heptagon_nest(cycle(5), levels), "heptagons in C5");
-    expect_right_in_reference(heptagon_nest(path(3), levels), "heptagons in a path");
+    expect_right_in_reference(nest(cycle(5), levels), "heptagons in C5");
+    expect_right_in_reference(nest(path(3), levels), "heptagons in a path");
   }
 }
 
-TEST(TwoBendPaper, RandomMixturesOfFigures) {
-  RandomStream random(1);
-  for (int i = 0; i < 60; ++i) {
-    Blown blown(made("random-subcubic", 2 + random.below(8), static_cast<std::uint64_t>(i)));
-    const std::uint32_t figures = 1 + random.below(12);
-    for (std::uint32_t j = 0; j < figures; ++j) blown.any(random);
-    expect_right_in_reference(blown.graph(), fmt::format("mixture {}", i));
-  }
-}
+TEST(TwoBendPaper, RandomMixturesOfFigures) { expect_mixtures_right(60, RandomStream(1), 8, 12); }
 
 TEST(TwoBendPaper, Unions) {
-  std::vector<Graph> parts;
-  for (int i = 0; i < 40; ++i) {
-    parts.push_back(complete(4));
-    parts.push_back(cycle(5));
-    parts.push_back(path(1));
-    parts.push_back(petersen());
-    parts.push_back(path(3));
-  }
-  expect_right_in_reference(disjoint_union(parts));
-  expect_right_in_reference(shuffled(disjoint_union(parts), 5));
+  const Graph five = disjoint_union({complete(4), cycle(5), path(1), petersen(), path(3)});
+  const Graph graph = disjoint_union(std::vector<Graph>(40, five));
+  expect_right_in_reference(graph);
+  expect_right_in_reference(shuffled(graph, 5));
 }
 
 TEST(TwoBendPaper, RandomCubicGraphs) {
@@ -123,8 +107,7 @@ double difference_of(const RealPoints& a, const RealPoints& b) {
 /// Another decision moves points by far more than rounding: all types draw the same.
 TEST(TwoBendPaper, AllTypesTakeTheSameDecisions) {
   std::vector<Graph> graphs = {made("random-cubic", 60), made("iterated-truncation", 100),
-                               made("cubic-tree", 60), hexagon_nest(complete(4), 12),
-                               heptagon_nest(cycle(5), 6)};
+                               made("cubic-tree", 60), nest(complete(4), 12), nest(cycle(5), 6)};
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     Blown blown(made("random-subcubic", 12, seed));
     RandomStream random(seed);

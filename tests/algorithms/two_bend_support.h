@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <string>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/base/error.h"
+#include "ar3d/generators/catalog.h"
 #include "ar3d/verify/certificate.h"
 #include "support/graphs.h"
 
@@ -41,6 +43,19 @@ inline std::vector<Counter> expect_certified(const Graph& graph,
   } catch (const InternalError& error) {
     ADD_FAILURE() << error.what() << "\n" << edges_of(graph);
     return {};
+  }
+}
+
+/// Every family of maximum degree 3, as given and with its vertices in random order.
+inline void expect_families_certified(std::initializer_list<std::uint64_t> sizes) {
+  for (const Family& family : families()) {
+    if (family.max_degree > 3) continue;
+    for (const std::uint64_t n : sizes) {
+      SCOPED_TRACE(family.name);
+      const Graph graph = generate(family, n, n);
+      expect_certified(graph);
+      expect_certified(shuffled(graph, n));
+    }
   }
 }
 
