@@ -1,6 +1,7 @@
 // `compare --base` and git's bisection in a small repository whose commits are known.
 #include <nlohmann/json.hpp>
 
+#include "apps/checkouts.h"
 #include "ar3d/bench/measure/environment.h"
 #include "support/program.h"
 
@@ -51,14 +52,7 @@ class SeededRepository {
     return run("cd " + checkout_ + " && " + command);
   }
 
-  void expect_nothing_left() const {
-    const Outcome trees = run("git -C " + checkout_ + " worktree list");
-    EXPECT_EQ(std::count(trees.out.begin(), trees.out.end(), '\n'), 1) << trees.out;
-    for (const auto& entry : fs::directory_iterator(checkout_ + "/build/compare")) {
-      EXPECT_THAT(entry.path().string(), Not(HasSubstr("sources")));
-      EXPECT_THAT(entry.path().string(), Not(HasSubstr("run-")));
-    }
-  }
+  void expect_nothing_left() const { expect_no_worktree(checkout_); }
 
  private:
   ScratchDirectory scratch_;

@@ -108,30 +108,6 @@ while True:
       << "nothing of them is left";
 }
 
-TEST(Programs, CommandsOfTheirRowsNeedTheResults) {
-  const ScratchDirectory scratch;
-  const std::string script = scratch.write("flat.py", R"(import sys
-while True:
-    n, m = map(int, sys.stdin.readline().split())
-    for _ in range(m): sys.stdin.readline()
-    print('{"vertices":' + str([[i, 0, 0] for i in range(n)]) + '}', flush=True)
-)");
-  const std::string spec = scratch.write(
-      "s.toml",
-      "study = \"s\"\n[[algorithm]]\nname = \"flat\"\ncommand = [\"/usr/bin/python3\", \"" +
-          script +
-          "\"]\nguarantee = { max_degree = 4, max_bends = 0, cosine = [-1, 3] }\n"
-          "[[sweep]]\nfamilies = \"cycle\"\nsizes = 5\nalgorithms = \"flat\"\n");
-  const std::string results = scratch.path("r.h5");
-  expect_exit(4, run("{} study run -q --threads 1 " + spec + " -o " + results));
-  const Outcome check = run("{} check " + results);
-  const std::size_t at = check.out.find("    ar3d replay " + results + " ");
-  ASSERT_NE(at, std::string::npos) << check.out;
-  const std::string command = check.out.substr(at + 9, check.out.find('\n', at) - at - 9);
-  expect_exit(4, run("cd " + scratch.path("") + " && {} " + command + " -o d.jsonl"));
-  EXPECT_THAT(read_file(scratch.path("d.jsonl")), HasSubstr("[[0,0,0],[1,0,0],"));
-}
-
 /// A program that draws, in a study of four rows.
 class OwnProgram : public ::testing::Test {
  protected:
@@ -141,13 +117,16 @@ while True:
     for _ in range(m): sys.stdin.readline()
     print('{"vertices":' + str([[i, i * i, i ** 3] for i in range(n)]) + '}', flush=True)
 )";
-  std::string spec(const std::string& command = "") const {
+  static constexpr const char* kGuarantee =
+      "guarantee = { max_degree = 4, max_bends = 0, cosine = [1, 1] }\n";
+  /// @param more  further lines of the program's entry.
+  std::string spec(const std::string& command = "", const std::string& more = "") const {
     return scratch_.write(
         "s.toml",
         "study = \"s\"\n[[algorithm]]\nname = \"mine\"\ncommand = [" +
             (command.empty() ? "\"/usr/bin/python3\", \"" + path("mine.py") + "\"" : command) +
-            "]\n[[sweep]]\nfamilies = \"cycle\"\nsizes = [5, 6, 7, 8]\n"
-            "algorithms = \"mine\"\n");
+            "]\n" + more +
+            "[[sweep]]\nfamilies = \"cycle\"\nsizes = [5, 6, 7, 8]\nalgorithms = \"mine\"\n");
   }
   std::string path(const std::string& name) const { return scratch_.path(name); }
 
@@ -203,13 +182,22 @@ while True:
 )";
 }
 
+TEST_F(OwnProgram, CommandsOfItsRowsNeedTheResults) {
+  scratch_.write("mine.py", body_with("0"));
+  const std::string results = path("r.h5");
+  expect_exit(4, run("{} study run -q --threads 1 " + spec("", kGuarantee) + " -o " + results));
+  const Outcome check = run("{} check " + results);
+  const std::size_t at = check.out.find("    ar3d replay " + results + " ");
+  ASSERT_NE(at, std::string::npos) << check.out;
+  const std::string command = check.out.substr(at + 9, check.out.find('\n', at) - at - 9);
+  expect_exit(4, run("cd " + path("") + " && {} " + command + " -o d.jsonl"));
+  EXPECT_THAT(read_file(path("d.jsonl")), HasSubstr("[[0,0,0],[1,0,0],"));
+}
+
 TEST_F(OwnProgram, CompareJudgesWhatIsMeasuredAndNamesItsVersions) {
   const auto made = [&](const std::string& body, const std::string& version) {
     scratch_.write("mine.py", body);
-    const std::string text = read_file(spec());
-    const std::size_t at = text.find("command");
-    const std::string study = scratch_.write(
-        "v.toml", text.substr(0, at) + "version = \"" + version + "\"\n" + text.substr(at));
+    const std::string study = spec("", "version = \"" + version + "\"\n");
     expect_exit(0, run("{} study run -q --threads 1 " + study + " -o " + path(version + ".h5")));
     return path(version + ".h5");
   };
@@ -222,7 +210,7 @@ TEST_F(OwnProgram, CompareJudgesWhatIsMeasuredAndNamesItsVersions) {
   expect_output(run(compare + flat), {"REGRESSED", "smallest angle at a vertex: "}, 3);
   expect_output(run(compare + crossed), {"REGRESSED", "crossings: 0 became "}, 3);
   const std::string gate = "AR3D=$(realpath {}) && cd " + path("") +
-                           " && AR3D=$AR3D AR3D_STUDY=" + path("v.toml") +
+                           " && AR3D=$AR3D AR3D_STUDY=" + path("s.toml") +
                            " " AR3D_SOURCE_DIR "/examples/ci/regression-gate ";
   scratch_.write("mine.py", body_with("v * v"));
   expect_exit(0, run(gate + "store references"));
@@ -288,13 +276,7 @@ while True:
         for w in near[u] & near[v]: at[u], at[v], at[w] = [-1, 0, 0], [-2, 0, 0], [-3, 0, 0]
     print('{"vertices":' + str(at) + '}', flush=True)
 )");
-  const std::string text = read_file(spec());
-  const std::size_t sweep = text.find("[[sweep]]");
-  const std::string study = scratch_.write(
-      "g.toml", text.substr(0, sweep) +
-                    "guarantee = { max_degree = 4, max_bends = 0, cosine = [1, 1] }\n" +
-                    text.substr(sweep));
-  const std::string of = " --algorithm mine --study " + study;
+  const std::string of = " --algorithm mine --study " + spec("", kGuarantee);
   const Outcome hunt =
       run("{} hunt --family random-4-regular -n 20 --evaluations 50" + of + " -o " + path("found"));
   expect_output(hunt, "VIOLATED: ", 4);
@@ -305,13 +287,8 @@ while True:
 
 TEST_F(OwnProgram, AGuaranteePromisesNoBox) {
   scratch_.write("mine.py", kBody);
-  const std::string text = read_file(spec());
-  const std::string sweep = "[[sweep]]";
-  const std::string study = scratch_.write(
-      "g.toml", text.substr(0, text.find(sweep)) +
-                    "guarantee = { max_degree = 4, max_bends = 0, cosine = [1, 1] }\n" +
-                    text.substr(text.find(sweep)));
-  expect_exit(0, run("{} study run -q --threads 1 " + study + " -o " + path("s.h5")));
+  expect_exit(0,
+              run("{} study run -q --threads 1 " + spec("", kGuarantee) + " -o " + path("s.h5")));
   for (const RunRecord& row : read_results(path("s.h5")).runs) {
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
   }
@@ -333,30 +310,16 @@ TEST_F(OwnProgram, AnExecutableThatIsNotThereIsRefusedAtTheStart) {
   }
 }
 
-TEST(Programs, OneThatChangedSinceRowsWereMadeIsRefused) {
-  const ScratchDirectory scratch;
-  const std::string body = R"(import sys
-while True:
-    n, m = map(int, sys.stdin.readline().split())
-    for _ in range(m): sys.stdin.readline()
-    print('{"vertices":' + str([[i, i * i, i ** 3] for i in range(n)]) + '}', flush=True)
-)";
-  const std::string script = scratch.write("mine.py", body);
-  const std::string spec = scratch.write(
-      "s.toml",
-      "study = \"s\"\n[[algorithm]]\nname = \"mine\"\ncommand = [\"/usr/bin/python3\", \"" +
-          script +
-          "\"]\n[[sweep]]\nfamilies = \"cycle\"\nsizes = [5, 6]\n"
-          "algorithms = \"mine\"\n");
-  const std::string results = scratch.path("s.h5");
-  expect_exit(0, run("{} study run -q --threads 1 " + spec + " -o " + results));
-  const std::string resume = "{} study resume -q " + results + " --again crashed";
+TEST_F(OwnProgram, ThatChangedSinceRowsWereMadeIsRefused) {
+  scratch_.write("mine.py", kBody);
+  expect_exit(0, run("{} study run -q --threads 1 " + spec() + " -o " + path("s.h5")));
+  const std::string resume = "{} study resume -q " + path("s.h5") + " --again crashed";
   expect_exit(0, run(resume));
-  scratch.write("mine.py", body + "# another one\n");
+  scratch_.write("mine.py", std::string(kBody) + "# another one\n");
   expect_error(run(resume), "program 'mine' is not the one that rows of");
-  scratch.write("mine.py", body);  // the former one
+  scratch_.write("mine.py", kBody);  // the former one
   expect_exit(0, run(resume));
-  EXPECT_EQ(read_results(results).runs.size(), 2u);
+  EXPECT_EQ(read_results(path("s.h5")).runs.size(), 4u);
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 // as it is and under load: what is slower by 10 % or more never passes.
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "apps/checkouts.h"
 #include "support/program.h"
 
 namespace ar3d::testing {
@@ -19,27 +19,13 @@ std::string slower_program(const ScratchDirectory& scratch) {
   return program;
 }
 
-/// A checkout whose build gives the program under test.
-std::string checkout_of_the_program(const ScratchDirectory& scratch) {
-  const std::string checkout = scratch.path("checkout");
-  fs::create_directories(checkout + "/apps");
-  std::ofstream(checkout + "/CMakeLists.txt")
-      << "cmake_minimum_required(VERSION 3.20)\nproject(pretended NONE)\n"
-         "add_custom_target(ar3d_program COMMAND ${CMAKE_COMMAND} -E make_directory apps COMMAND "
-         "${CMAKE_COMMAND} -E copy $ENV{AR3D_PROGRAM} apps/ar3d)\n";
-  expect_exit(0, run("cd " + checkout +
-                     " && touch apps/study.cpp && git init -q && git add -A && git -c "
-                     "user.name=t -c user.email=t@t commit -qm first"));
-  return checkout;
-}
-
 TEST(SlowBuilds, OfTenPerCentOrMoreNeverPass) {
   const ScratchDirectory scratch;
   const std::string spec = scratch.write(
       "slow.toml",
       "study = 'slow'\n[[sweep]]\nfamilies = ['random-cubic', 'cycle']\nsizes = [1000, 2000]\n"
       "algorithms = ['grid', 'two-bend']\ninstances = 4\nrepetitions = 3\n");
-  const std::string checkout = checkout_of_the_program(scratch);
+  const std::string checkout = pretended_checkout(scratch, "true");
   const std::string load =
       "for i in 1 2; do timeout 600 sh -c 'while :; do :; done' & done; trap 'kill %1 %2' EXIT; ";
   const std::string program = slower_program(scratch);

@@ -29,7 +29,7 @@ OUTSIDE = re.compile(r"OMP_NUM_THREADS|FIELD_i_NAME|member_|kConstant|perf_event
                      r"ar3d_.*_tests|--(gtest|benchmark)_.*|.*_(bound|slack)_[xyz]|slack_[xyz]|std::.*")
 # What a span in backticks is.
 FILE = re.compile(r"[\w.-]+(/[\w.-]+)*\.(h|cpp|md|cmake|svg)|(\w+/)+")
-TEST = re.compile(r"[A-Z][A-Za-z0-9]*\.(\*|[A-Z]\w*)")
+TEST = re.compile(r"[A-Z][A-Za-z0-9]*\.(\*|[A-Z]\w*|test_\w+)")
 OPTION = re.compile(r"--[a-z][a-z-]+")
 NAME = re.compile(r"[A-Za-z_]\w*(::[A-Za-z_]\w*)*(\(.*\))?")
 MARKED = re.compile(r".*[a-z]_.*|.*::.*|.*\)|[A-Z]?[a-z0-9]+[A-Z].*")
@@ -96,6 +96,9 @@ class Checker:
         tests = re.findall(r"TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)",
                            "\n".join(code for path, (_, code) in self.parts.items() if path.startswith("tests/")))
         self.tests = {f"{suite}.{name}" for suite, name in tests} | {f"{suite}.*" for suite, _ in tests}
+        for path, (_, code) in self.parts.items():
+            for suite, body in re.findall(r"^class (\w+)(\(.*\n(?: .*\n|\n)*)", code, re.M) if path.startswith("tests/") else ():
+                self.tests |= {f"{suite}.{name}" for name in ["*", *re.findall(r"    def (test_\w+)", body)]}
         self.defined = set()
         for path, text in files.items():
             if path.endswith(".md"):

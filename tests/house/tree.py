@@ -60,11 +60,12 @@ SMALL = {
                         "By Lemma 3.1 and Steps 3.2, see [the code](../algorithms/core.cpp).\n\n"
                         "[above](#a-page), [here](theorem3.md#a-page), takes --algorithm.\n\n"
                         "| step | function | tests |\n|---|---|---|\n| order | `core.cpp`: `order` | `Core.*` |\n"
-                        "`ar3d draw - --algorithm grid`, `Core.Places`, `Core::run()`, `std::vector`\n"
+                        "`ar3d draw - --algorithm grid`, `Core.Places`, `More.test_it`, `Core::run()`, `std::vector`\n"
                         "```\nar3d study run quick | ar3d draw - --algorithm grid\n```\n",
     "algorithms/core.cpp": "/// Places by Lemma 3.1, tested in tests/core_test.cpp.\n"
                            "void place_all();\nvoid order();\nstruct Core { void run(); };\n",
-    "tests/core_test.cpp": "TEST(Core, Places) {}\n"}
+    "tests/core_test.cpp": "TEST(Core, Places) {}\n",
+    "tests/more_test.py": "class More(Case):\n    def test_it(self):\n        pass\n"}
 SMALL_HELP = {"": "Subcommands:\n  draw  Draws\n  study  Runs\n", "draw": "--algorithm TEXT\n",
               "study": "Subcommands:\n  run  Runs\n", "study run": "--threads INT\n"}
 
@@ -120,8 +121,8 @@ class References(Rule):
 
     def test_see_false_names_files_tests_links_and_commands(self):
         for text in ("`place_none`", "`no_such()`", "`Core::walk`", "`NoSuchType`", "`gone.cpp`", "`docs/gone.md`", "docs/gone.md",
-                     "`algorithms/gone/`", "`Core.Gone`", "`Gone.*`", "[page](gone.md)", "[part](#gone)", "[part](theorem3.md#gone)",
-                     "studies/gone.toml", "tools/gone.py", "takes --no-such-option",
+                     "`algorithms/gone/`", "`Core.Gone`", "`Gone.*`", "`More.test_gone`", "[page](gone.md)", "[part](#gone)",
+                     "[part](theorem3.md#gone)", "studies/gone.toml", "tools/gone.py", "takes --no-such-option",
                      "\n| function | test |\n|---|---|\n| `walk` | |", "`ar3d paint x`", "`./ar3d draw - --colour red`",
                      "`ar3d study walk`", "`ar3d study run quick | ar3d draw - --colour red`", "`--no-such-option`",
                      "```\n$ ./ar3d paint\n```", "`ar3d study\nwalk`"):
