@@ -46,16 +46,6 @@ struct CompareArguments {
 
 constexpr const char* kThisProgram = "/proc/self/exe";
 
-/// @throws InputError if there is none.
-std::string reference_for(const Results& results) {
-  std::string found = committed_reference(results.study_id);
-  if (found.empty()) {
-    throw InputError(fmt::format("no results of study '{}' in results/reference of the checkout",
-                                 results.study_id));
-  }
-  return found;
-}
-
 int report_verdict(const CompareArguments& arguments, const Comparison& comparison,
                    const Calibration* calibration) {
   const bool is_on_stdout = arguments.markdown == "-";
@@ -80,7 +70,12 @@ int compare_files(const CompareArguments& arguments) {
                            "--help)");
   }
   const Results now = read_results(arguments.files.back());
-  const std::string base_path = arguments.reference ? reference_for(now) : arguments.files.front();
+  const std::string base_path =
+      arguments.reference ? committed_reference(now.study_id) : arguments.files.front();
+  if (arguments.reference && base_path.empty()) {
+    throw InputError(
+        fmt::format("no results of study '{}' in results/reference of the checkout", now.study_id));
+  }
   const Results base = read_results(base_path);
   std::FILE* const to = arguments.markdown == "-" ? stderr : stdout;
   note(to, "base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),

@@ -13,6 +13,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
+#include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/generators/catalog.h"
@@ -36,13 +37,6 @@ struct GenerateArguments {
   bool force = false;
 };
 
-/// Holds which graphs, after all names are looked up.
-struct RequestedGraphs {
-  const Family* family = nullptr;
-  Settings parameters;
-  std::uint64_t n = 0;
-};
-
 [[noreturn]] void refuse_unknown(const std::string& name) {
   std::vector<std::string_view> known = names_of(families());
   const auto named = names_of(named_graphs());
@@ -52,8 +46,9 @@ struct RequestedGraphs {
       did_you_mean(name, known)));
 }
 
-/// A family with its parameters and n, or one of the named graphs by its name.
-RequestedGraphs requested(const GenerateArguments& arguments) {
+/// A family with its parameters, or one of the named graphs by its name; n is that graph's then,
+/// unless it was given.
+FamilyChoice requested(GenerateArguments& arguments) {
   auto given = parse_settings(arguments.parameters);
   const auto is_it = [&](const auto& row) { return row.name == arguments.family; };
   const auto family = std::ranges::find_if(families(), is_it);
@@ -61,13 +56,14 @@ RequestedGraphs requested(const GenerateArguments& arguments) {
     if (!arguments.n) {
       throw InputError(fmt::format("family {} takes a size: -n NUMBER", family->name));
     }
-    return {&*family, complete_parameters(*family, given), *arguments.n};
+    return {&*family, complete_parameters(*family, given)};
   }
   const auto graph = std::ranges::find_if(named_graphs(), is_it);
   if (graph == named_graphs().end()) refuse_unknown(arguments.family);
   given.push_back({"index", graph - named_graphs().begin()});
   const Family& named = find_family("named");
-  return {&named, complete_parameters(named, given), arguments.n.value_or(graph->num_vertices)};
+  arguments.n = arguments.n.value_or(graph->num_vertices);
+  return {&named, complete_parameters(named, given)};
 }
 
 void refuse_wrapping_seeds(const GenerateArguments& arguments) {
@@ -77,19 +73,19 @@ void refuse_wrapping_seeds(const GenerateArguments& arguments) {
       fmt::format("{} seeds from {} on pass {}", arguments.count, arguments.seed, kLast));
 }
 
-void generate_graphs(const GenerateArguments& arguments) {
+void generate_graphs(GenerateArguments arguments) {
   refuse_unsafe_outputs({.inputs = {}, .outputs = {arguments.output}, .force = arguments.force});
   refuse_wrapping_seeds(arguments);
-  const RequestedGraphs request = requested(arguments);
+  const FamilyChoice choice = requested(arguments);
   const GraphFormat& format = graph_format_to_write(arguments.format, arguments.output);
   OutputFile file(arguments.output);
   const GraphWriter write = format.writer(file, {});
   for (std::uint64_t i = 0; i < arguments.count; ++i) {
     const Graph graph =
-        generate(*request.family, request.n, arguments.seed + i, request.parameters);
-    if (i == 0 && graph.num_vertices() != request.n) {
+        generate(*choice.family, *arguments.n, arguments.seed + i, choice.parameters);
+    if (i == 0 && graph.num_vertices() != *arguments.n) {
       note(stderr, "ar3d: {} has no graph with {} vertices for these parameters: this has {}\n",
-           arguments.family, request.n, graph.num_vertices());
+           arguments.family, *arguments.n, graph.num_vertices());
     }
     write(graph);
     file.flush_if_full();

@@ -63,38 +63,28 @@ std::string program_version_of(const std::vector<EnvironmentEntry>& environment)
   return version;
 }
 
-/// Holds what the results are a measurement of.
-struct MeasuredVersion {
-  std::string commit_or_name;
-  bool dirty = false;
-};
-
-MeasuredVersion measured_version(const RunReader& reader) {
+/// Returns the commit, or the name, of what the results are a measurement of.
+/// @throws InputError if they stand for no commit as a whole.
+std::string measured_version(const HistoryArguments& arguments, const RunReader& reader) {
   constexpr std::string_view kDirty = "-dirty";
-  MeasuredVersion version{program_version_of(reader.environment())};
-  if (version.commit_or_name.empty()) {
-    return {reader.identity().source_hash, reader.identity().dirty};
-  }
-  version.dirty = version.commit_or_name.ends_with(kDirty);
-  if (version.dirty) version.commit_or_name.resize(version.commit_or_name.size() - kDirty.size());
-  return version;
-}
-
-/// @throws InputError if these results stand for no commit as a whole.
-void require_whole(const HistoryArguments& arguments, const RunReader& reader,
-                   const MeasuredVersion& version) {
   const StudyIdentity& study = reader.identity();
+  std::string version = program_version_of(reader.environment());
+  const bool is_ours = version.empty();
+  const bool is_dirty = is_ours ? study.dirty : version.ends_with(kDirty);
+  if (is_ours) version = study.source_hash;
+  if (!is_ours && is_dirty) version.resize(version.size() - kDirty.size());
   const auto rows = static_cast<std::int64_t>(reader.size());
   if (rows == 0) throw InputError(fmt::format("{} has no rows", arguments.results));
   if (study.planned_rows > rows) {
     throw InputError(fmt::format("{} is of a study that is not finished: {} of {} rows",
                                  arguments.results, rows, study.planned_rows));
   }
-  if (version.dirty && arguments.name.empty()) {
+  if (is_dirty && arguments.name.empty()) {
     throw InputError(
         fmt::format("{} was measured by a program with changes to commit {}: give it a --name",
-                    arguments.results, printable(version.commit_or_name.substr(0, kHashDigits))));
+                    arguments.results, printable(version.substr(0, kHashDigits))));
   }
+  return version;
 }
 
 std::int64_t place_of(const HistoryArguments& arguments, const std::string& version) {
@@ -129,10 +119,8 @@ void refuse_copies(const std::string& results, const std::string& folder,
 int add_results(const HistoryArguments& arguments) {
   const RunReader reader(arguments.results);
   const StudyIdentity& study = reader.identity();
-  const MeasuredVersion version = measured_version(reader);
-  require_whole(arguments, reader, version);
-  const std::int64_t place = place_of(arguments, version.commit_or_name);
-  const std::string& own = version.commit_or_name;
+  const std::string own = measured_version(arguments, reader);
+  const std::int64_t place = place_of(arguments, own);
   const std::string name = !arguments.name.empty() ? arguments.name
                            : is_commit(own)        ? own.substr(0, kHashDigits)
                                                    : own;

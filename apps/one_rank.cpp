@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "ar3d/base/error.h"
-#include "join_ranks.h"
+#include "ar3d/bench/run/ranks.h"
 
 namespace ar3d {
 

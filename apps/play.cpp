@@ -18,11 +18,6 @@
 namespace ar3d {
 namespace {
 
-struct PlayArguments {
-  std::string output;
-  bool force = false;
-};
-
 /// Returns where it is installed or built. @throws InputError that says how to get it.
 std::filesystem::path installed_page() {
   std::error_code error;
@@ -43,23 +38,22 @@ void open_in_browser(const std::string& page) {
   ::execlp("xdg-open", "xdg-open", page.c_str(), static_cast<char*>(nullptr));
 }
 
-int play(const PlayArguments& arguments) {
+/// @param files  with the page to write, if it is to be written.
+int play(VerbFiles files) {
   const std::string page = installed_page().string();
-  if (arguments.output.empty()) {
+  if (files.page.empty()) {
     say("file://{}\n", page);
     open_in_browser(page);
     return kPass;
   }
-  refuse_unsafe_outputs({.inputs = {page},
-                         .outputs = {},
-                         .page = arguments.output,
-                         .page_is = "<meta name=\"generator\" content=\"ar3d play\">",
-                         .force = arguments.force,
-                         .streams = false});
+  files.inputs = {page};
+  files.page_is = "<meta name=\"generator\" content=\"ar3d play\">";
+  files.streams = false;
+  refuse_unsafe_outputs(files);
   std::ifstream in(page, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  write_file_atomically(arguments.output, text);
-  note(stdout, "wrote {}\n", arguments.output);
+  write_file_atomically(files.page, text);
+  note(stdout, "wrote {}\n", files.page);
   return kPass;
 }
 
@@ -68,14 +62,13 @@ int play(const PlayArguments& arguments) {
 void add_play(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "play", "Names and opens the page that draws and proves graphs in a browser, or writes it");
-  const auto arguments = std::make_shared<PlayArguments>();
-  verb->add_option("-o,--output", arguments->output,
-                   "write the page to this file instead of opening it");
-  add_force(*verb, arguments->force);
+  const auto files = std::make_shared<VerbFiles>();
+  verb->add_option("-o,--output", files->page, "write the page to this file instead of opening it");
+  add_force(*verb, files->force);
   verb->footer(
       "The page is one file. It works from disk, without a network, and sends nothing.\n"
       "Example: ar3d play -o play.html");
-  verb->callback([arguments, &exit_code] { exit_code = play(*arguments); });
+  verb->callback([files, &exit_code] { exit_code = play(*files); });
 }
 
 }  // namespace ar3d

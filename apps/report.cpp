@@ -2,6 +2,7 @@
 #include "ar3d/analysis/report.h"
 
 #include "ar3d/bench/keep/study_files.h"
+#include "ar3d/formats/text/output.h"
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"
@@ -10,21 +11,6 @@
 
 namespace ar3d {
 namespace {
-
-/// A file that is written piece by piece, whole or not at all. @throws InputError
-void write_in_pieces(const std::string& path, const std::function<void(const TextSink&)>& make) {
-  constexpr std::size_t kPiece = 1 << 20;
-  NewFile file(path);
-  std::string pending;
-  make([&](std::string_view text) {
-    pending += text;
-    if (pending.size() < kPiece) return;
-    file.write_all(pending);
-    pending.clear();
-  });
-  file.write_all(pending);
-  file.become_target();
-}
 
 struct ReportArguments {
   std::string results;
@@ -66,7 +52,9 @@ int write_report(const ReportArguments& arguments) {
   if (!arguments.json.empty()) write_json(arguments.json, analysis_json(analysis, since));
   write(arguments.growth, [&] { return scaling_csv(analysis); });
   if (!arguments.rows.empty()) {
-    write_in_pieces(arguments.rows, [&](const TextSink& sink) { rows_csv(view, sink); });
+    OutputFile file(arguments.rows);
+    rows_csv(view, [&](std::string_view text) { file.append(text); });
+    file.commit();
   }
   if (!manner.json) say("{}", verdict_line(analysis.verdict));
   note(stdout, "report   {}\n", path);

@@ -12,7 +12,6 @@
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/replay/count_instructions.h"
 #include "commands.h"
-#include "join_ranks.h"
 #include "outputs.h"
 #include "report_page.h"
 #include "study_rows.h"

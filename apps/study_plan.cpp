@@ -98,13 +98,7 @@ void print_collection(const StudyCorpus& collection) {
 
 // Those of a collection, which may have any number of sizes, are told as one for each algorithm.
 void print_cells(const StudyEstimate& estimate, const std::set<std::string>& collections) {
-  struct Sum {
-    std::uint64_t least_n = 0, largest_n = 0;
-    std::size_t rows = 0;
-    double total_s = 0;
-    bool is_known = true;
-  };
-  std::map<CurveKey, Sum> sums;
+  std::map<CurveKey, std::vector<CellEstimate>> curves;
   for (const CellEstimate& cell : estimate.cells) {
     if (!collections.contains(cell.curve.family)) {
       say("{}: {} instances, {} rows, {}\n",
@@ -112,17 +106,19 @@ void print_cells(const StudyEstimate& estimate, const std::set<std::string>& col
           cost_of(cell));
       continue;
     }
-    Sum& sum = sums.try_emplace(cell.curve, Sum{cell.n, cell.n}).first->second;
-    sum.least_n = std::min(sum.least_n, cell.n);
-    sum.largest_n = std::max(sum.largest_n, cell.n);
-    sum.rows += cell.rows;
-    sum.total_s += cell.total_s;
-    sum.is_known &= cell.is_known;
+    curves[cell.curve].push_back(cell);
   }
-  for (const auto& [key, sum] : sums) {
-    say("{}..{}: {} rows, {}\n", cell_label(key, static_cast<std::int64_t>(sum.least_n)),
-        sum.largest_n, sum.rows,
-        sum.is_known ? about(sum.total_s) + " in all" : "time and memory not known");
+  for (const auto& [key, cells] : curves) {
+    const auto [least, largest] = std::ranges::minmax(cells, {}, &CellEstimate::n);
+    std::size_t rows = 0;
+    double total_s = 0;
+    for (const CellEstimate& cell : cells) {
+      rows += cell.rows;
+      total_s += cell.total_s;
+    }
+    const bool is_known = std::ranges::all_of(cells, &CellEstimate::is_known);
+    say("{}..{}: {} rows, {}\n", cell_label(key, static_cast<std::int64_t>(least.n)), largest.n,
+        rows, is_known ? about(total_s) + " in all" : "time and memory not known");
   }
 }
 
@@ -262,13 +258,10 @@ void refuse_impossible_study(const StudySpec& spec, const SessionPolicy& policy)
 void add_study_plan(CLI::App& study, int&) {
   CLI::App* verb = study.add_subcommand(
       "plan", "Lists the cells of a study with estimated time and memory; refuses impossible ones");
-  struct PlanArguments {
-    StudyChoice chosen;
-    int workers = 0;
-  };
-  const auto arguments = std::make_shared<PlanArguments>();
-  add_study_choice(*verb, arguments->chosen);
-  verb->add_option("--threads", arguments->workers,
+  const auto chosen = std::make_shared<StudyChoice>();
+  const auto threads = std::make_shared<int>(0);
+  add_study_choice(*verb, *chosen);
+  verb->add_option("--threads", *threads,
                    "rows made at the same time; as many as cores if left out")
       ->default_str("")
       ->check(whole_number(1, 1024));
@@ -278,11 +271,11 @@ void add_study_plan(CLI::App& study, int&) {
       "be "
       "right within a factor of three.\nExit code 2 if a cell is impossible.\nExample: ar3d study "
       "plan quick");
-  verb->callback([arguments] {
-    const StudySpec spec = chosen_study(arguments->chosen);
+  verb->callback([chosen, threads] {
+    const StudySpec spec = chosen_study(*chosen);
     require_programs(spec);
     const StudyPlan plan = plan_study(spec);
-    const int workers = workers_for(arguments->workers);
+    const int workers = workers_for(*threads);
     note(stderr, "ar3d: {} graphs planned; small ones are drawn to estimate time and memory\n",
          plan.instances.size());
     const StudyEstimate made = estimate(plan, workers);

@@ -200,13 +200,6 @@ nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIden
           {"findings", findings}};
 }
 
-struct StudyRows::Journals {
-  RowCollection rows;
-  std::vector<AlgorithmRecord> algorithms;
-  std::vector<char> record = std::vector<char>(run_record_size());
-  RunRecord run;
-};
-
 StudyRows::StudyRows(const std::string& file) {
   const std::string results = results_path_of(file);
   view_.file = results;
@@ -231,21 +224,21 @@ void StudyRows::view_results(const std::string& results) {
 }
 
 void StudyRows::view_journals(const std::string& file, const std::string& results) {
-  journals_ = std::make_unique<Journals>();
-  for (const std::string& journal : existing_journals(results)) journals_->rows.add(journal);
-  journals_->rows.close();
-  const StudyIdentity& identity = journals_->rows.identity();
-  journals_->algorithms = side_records<AlgorithmRecord>(identity);
+  journals_ = std::make_unique<RowCollection>();
+  for (const std::string& journal : existing_journals(results)) journals_->add(journal);
+  journals_->close();
+  const StudyIdentity& identity = journals_->identity();
   view_.identity = &identity;
-  view_.environment = &journals_->rows.environment();
-  view_.count = journals_->rows.size();
+  view_.environment = &journals_->environment();
+  view_.count = journals_->size();
   view_.planned = planned_rows(file, identity);
-  view_.read = [journals = journals_.get()](std::size_t row) -> const RunRecord& {
-    journals->rows.read(row, journals->record.data());
-    journals->run = load_record(journals->record.data());
-    RunRecord& run = journals->run;
-    set_bounds(find_algorithm_record(journals->algorithms, run.algorithm, run.options), run);
-    return journals->run;
+  view_.read = [rows = journals_.get(), algorithms = side_records<AlgorithmRecord>(identity),
+                record = std::vector<char>(run_record_size()),
+                run = RunRecord()](std::size_t row) mutable -> const RunRecord& {
+    rows->read(row, record.data());
+    run = load_record(record.data());
+    set_bounds(find_algorithm_record(algorithms, run.algorithm, run.options), run);
+    return run;
   };
 }
 

@@ -9,6 +9,8 @@
 
 namespace ar3d {
 
+class RowCollection;
+
 /// Represents the rows of a study, wherever they are: in its results file or, while it is not
 /// finished, in its journals. `study run`, `resume` and `status`, `check` and `report` judge these
 /// rows and no others, with judge(), so that they agree.
@@ -28,9 +30,8 @@ class StudyRows {
   void view_results(const std::string& results);
   void view_journals(const std::string& file, const std::string& results);
 
-  struct Journals;
   std::unique_ptr<RunReader> reader_;
-  std::unique_ptr<Journals> journals_;
+  std::unique_ptr<RowCollection> journals_;
   RowView view_;
 };
 

@@ -17,8 +17,8 @@
 #include <numeric>
 #include <thread>
 
-#include "../join_ranks.h"
 #include "ar3d/base/error.h"
+#include "ar3d/bench/run/ranks.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // OpenMPI's plugins never free their tables and are unloaded before leaks are looked for, so no
@@ -99,20 +99,16 @@ class PortionDealer {
   int shares_;
 };
 
-// Where a rank's portions come from.
-struct Supply {
-  std::function<void()> ask;
-  std::function<Portion()> receive;  // what was asked for
-};
-
 // A rank's tickets: one after the other from portions. The next portion is asked for in the middle
 // of one, so that nobody waits for the answer; not of a short one, since then the work nears its
 // end, and a ticket that waits here might be made by a rank that has nothing left.
 class Portions {
  public:
-  explicit Portions(Supply supply) : supply_(std::move(supply)) {}
+  // `ask_for` asks for a portion, `receive` waits for it.
+  Portions(std::function<void()> ask_for, std::function<Portion()> receive)
+      : ask_for_(std::move(ask_for)), receive_(std::move(receive)) {}
   ~Portions() {
-    if (asked_) supply_.receive();
+    if (asked_) receive_();
   }
 
   std::optional<std::size_t> next() {
@@ -128,19 +124,20 @@ class Portions {
   static constexpr std::uint64_t kShort = 4;
 
   void ask() {
-    supply_.ask();
+    ask_for_();
     asked_ = true;
   }
   void refill() {
     if (!asked_) ask();
-    portion_ = supply_.receive();
+    portion_ = receive_();
     asked_ = false;
     over_ = portion_.begin == portion_.end;
     const std::uint64_t size = portion_.end - portion_.begin;
     ask_at_ = size < kShort ? portion_.end : portion_.begin + size / 2;
   }
 
-  Supply supply_;
+  std::function<void()> ask_for_;
+  std::function<Portion()> receive_;
   std::mutex mutex_;
   Portion portion_;
   std::uint64_t ask_at_ = 0;  // the ticket with which to ask; the portion's end: none
@@ -171,24 +168,6 @@ void serve(PortionDealer& dealer, int others, const std::atomic<bool>& failed) {
     const std::array<std::uint64_t, 2> answer = {portion.begin, portion.end};
     MPI_Send(answer.data(), 2, MPI_UINT64_T, status.MPI_SOURCE, kAnswerTag, MPI_COMM_WORLD);
   }
-}
-
-// Of the others, which rank 0 serves.
-Supply supply_from_first() {
-  struct Pending {
-    std::array<std::uint64_t, 2> answer{};
-    MPI_Request request = MPI_REQUEST_NULL;
-  };
-  const auto pending = std::make_shared<Pending>();
-  return {[pending] {
-            MPI_Irecv(pending->answer.data(), 2, MPI_UINT64_T, 0, kAnswerTag, MPI_COMM_WORLD,
-                      &pending->request);
-            MPI_Send(&kMore, 1, MPI_INT, 0, kRequestTag, MPI_COMM_WORLD);
-          },
-          [pending] {
-            wait_quietly(pending->request);
-            return Portion{pending->answer[0], pending->answer[1]};
-          }};
 }
 
 void send_text(const std::string& text, int to, int tag) {
@@ -301,9 +280,20 @@ class MpiRanks final : public Ranks {
     PortionDealer dealer(work, 4 * size_);
     std::thread server;
     if (is_first()) server = std::thread([&] { serve(dealer, size_ - 1, failed); });
+    std::array<std::uint64_t, 2> answer{};
+    MPI_Request pending = MPI_REQUEST_NULL;
     try {
-      Portions portions(is_first() ? Supply{[] {}, [&] { return dealer.take(); }}
-                                   : supply_from_first());
+      Portions portions(
+          [&] {
+            if (is_first()) return;
+            MPI_Irecv(answer.data(), 2, MPI_UINT64_T, 0, kAnswerTag, MPI_COMM_WORLD, &pending);
+            MPI_Send(&kMore, 1, MPI_INT, 0, kRequestTag, MPI_COMM_WORLD);
+          },
+          [&] {
+            if (is_first()) return dealer.take();
+            wait_quietly(pending);
+            return Portion{answer[0], answer[1]};
+          });
       use([&] { return portions.next(); });
     } catch (...) {
       failure = std::current_exception();

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,5 +83,9 @@ class Ranks {
   /// on its own and said why. Where it is alone, nothing happens.
   virtual void give_up(int exit_code) { (void)exit_code; }
 };
+
+/// Returns the processes that mpirun has started; in the program that is not made for it, this
+/// process alone. It is the program's own (apps/one_rank.cpp, apps/mpi/mpi_ranks.cpp).
+std::unique_ptr<Ranks> join_ranks();
 
 }  // namespace ar3d
