@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <thread>
 
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/journaled_study.h"

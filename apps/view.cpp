@@ -13,13 +13,6 @@
 namespace ar3d {
 namespace {
 
-struct ViewArguments {
-  std::vector<std::string> inputs;
-  std::string output;
-  std::string algorithm;
-  bool force = false;
-};
-
 /// The input's name with the ending .html. @throws InputError for standard input and several.
 std::string page_of(const std::vector<std::string>& inputs) {
   if (inputs.size() > 1) {
@@ -39,17 +32,16 @@ void refuse_other_file(const std::string& page) {
       fmt::format("{} exists and is no page of `ar3d view`; give another name with -o", page));
 }
 
-int view_drawings(const ViewArguments& arguments) {
-  const std::string page = arguments.output.empty() ? page_of(arguments.inputs) : arguments.output;
-  if (arguments.output.empty()) refuse_other_file(page);
-  refuse_unsafe_outputs({.inputs = arguments.inputs,
-                         .outputs = {},
-                         .page = page,
-                         .page_is = kViewerMark,
-                         .force = arguments.force});
-  refuse_foreign_ending(page, {".html", ".htm"});
-  if (!arguments.algorithm.empty()) find_algorithm(arguments.algorithm);
-  SeveralInputs<DrawingJsonlReader> inputs(arguments.inputs, [](const std::string& path) {
+int view_drawings(VerbFiles files, const std::string& algorithm) {
+  if (files.page.empty()) {
+    files.page = page_of(files.inputs);
+    refuse_other_file(files.page);
+  }
+  files.page_is = kViewerMark;
+  refuse_unsafe_outputs(files);
+  refuse_foreign_ending(files.page, {".html", ".htm"});
+  if (!algorithm.empty()) find_algorithm(algorithm);
+  SeveralInputs<DrawingJsonlReader> inputs(files.inputs, [](const std::string& path) {
     return std::make_unique<DrawingJsonlReader>(path);
   });
   const NextDrawing next = [&]() -> std::optional<PlacedLine> {
@@ -57,8 +49,8 @@ int view_drawings(const ViewArguments& arguments) {
     if (!line) return std::nullopt;
     return PlacedLine{std::move(*line), inputs.reader().where()};
   };
-  write_viewer_page(next, page, arguments.algorithm);
-  if (page != "-") note(stdout, "wrote {}\n", page);
+  write_viewer_page(next, files.page, algorithm);
+  if (files.page != "-") note(stdout, "wrote {}\n", files.page);
   return kPass;
 }
 
@@ -67,20 +59,21 @@ int view_drawings(const ViewArguments& arguments) {
 void add_view(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "view", "Writes a page that shows drawings in 3D, to be opened in any browser");
-  const auto arguments = std::make_shared<ViewArguments>();
-  verb->add_option("FILE", arguments->inputs,
+  const auto files = std::make_shared<VerbFiles>();
+  const auto algorithm = std::make_shared<std::string>();
+  verb->add_option("FILE", files->inputs,
                    "drawings as JSON lines; - is standard input; several go on one page")
       ->required();
-  verb->add_option("-o,--output", arguments->output,
+  verb->add_option("-o,--output", files->page,
                    "the page; the drawings' file with the ending .html if left out");
-  verb->add_option("--algorithm", arguments->algorithm,
+  verb->add_option("--algorithm", *algorithm,
                    "whose guarantee to judge the drawings by; else the one that each names");
-  add_force(*verb, arguments->force);
+  add_force(*verb, files->force);
   verb->footer(
       "The page works from disk, without a network. Violations are listed in it; `ar3d verify` "
       "gives a "
       "verdict as exit code.\nExample: ar3d view drawing.jsonl");
-  verb->callback([arguments, &exit_code] { exit_code = view_drawings(*arguments); });
+  verb->callback([files, algorithm, &exit_code] { exit_code = view_drawings(*files, *algorithm); });
 }
 
 }  // namespace ar3d

@@ -134,7 +134,8 @@ class BadKeys(Program):
             self.assertFalse(os.path.exists("s.h5"), name)
 
 
-IN_ONE_GIGABYTE = "ulimit -v 1000000; export OMP_NUM_THREADS=1; timeout 100 "
+# A sanitised program needs all address space.
+IN_ONE_GIGABYTE = ("" if IS_SANITISED else "ulimit -v 1000000; ") + "export OMP_NUM_THREADS=1; timeout 100 "
 N = "16777216"
 CLAIMS = (  # what is 2^24 vertices, or nearly so, in every format
     ("graph6", "~~????~???\n"), ("sparse6", ":~~???}???" + 40000 * "?" + "\n"), ("isparse6", ":~~???}???\n;~~???}???\n"),
