@@ -6,21 +6,11 @@
 
 #include <cstdlib>
 
-#include "ar3d/base/error.h"
-
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
 #endif
 
 namespace ar3d::compact {
-
-// Efforts 1 and 2 have at most 1.05 * 1.1^7 < 2.1 cells per vertex, with two bits each, and n <=
-// 2^27.
-TakenPlaces::TakenPlaces(const StripSize& size)
-    : rows_of_column_(static_cast<std::size_t>(size.rows / 2 + 1)),
-      words_(2 * static_cast<std::size_t>(size.columns) * rows_of_column_ / 32 + 1) {
-  expect(words_.size() <= std::size_t{1} << 26, "places of a narrow strip are counted in 31 bits");
-}
 
 bool is_open(const CellChoice& choice, const TakenPlaces& taken, Place place) {
   for (std::size_t i = 0; i < choice.num_neighbours; ++i) {

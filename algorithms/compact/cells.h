@@ -17,7 +17,9 @@ inline constexpr std::size_t kCellsAtOnce = 8;
 /// Holds which places of a strip are taken: a bit for each cell and type.
 class TakenPlaces {
  public:
-  explicit TakenPlaces(const StripSize& size);
+  explicit TakenPlaces(const StripSize& size)
+      : rows_of_column_(static_cast<std::size_t>(size.rows / 2 + 1)),
+        words_(2 * static_cast<std::size_t>(size.columns) * rows_of_column_ / 32 + 1) {}
   bool is_taken(Place place) const {
     const std::size_t bit = bit_of(place);
     return (words_[bit / 32] >> bit % 32 & 1) != 0;

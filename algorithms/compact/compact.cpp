@@ -89,23 +89,19 @@ Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
 }
 
 Algorithm row() {
-  Algorithm row;
-  row.name = "compact";
-  row.summary = "degree at most 4, 5 bends per edge, all angles 109.47 degrees, volume O(n^1.5)";
-  row.source = "the paper's last open question";
-  row.guarantee = {
-      .max_degree = 4,
-      .max_bends = 5,
-      .angle_rule = AngleRule::exactly,
-      .cosine = {-1, 3},
-      .lattice = kCubeLattice,
-      .directions = {{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}},
-      .vertices_in_plane = true,
-      .bound = size_bound(),
-      .published = {},
-  };
-  strips::offer_efforts<draw>(row);
-  return row;
+  return strips::row_of<draw>(
+      "compact", "degree at most 4, 5 bends per edge, all angles 109.47 degrees, volume O(n^1.5)",
+      {
+          .max_degree = 4,
+          .max_bends = 5,
+          .angle_rule = AngleRule::exactly,
+          .cosine = {-1, 3},
+          .lattice = kCubeLattice,
+          .directions = {{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}},
+          .vertices_in_plane = true,
+          .bound = size_bound(),
+          .published = {},
+      });
 }
 
 // Lemma C.6, and the drawing in space. The sites of the two ends and one byte per edge give the

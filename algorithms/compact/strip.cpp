@@ -13,10 +13,9 @@ namespace ar3d::compact {
 Strip::Strip(const Decomposition& links, std::size_t num_edges, StripSize size, std::int32_t cap)
     : links_(&links),
       size_(size),
-      half_rows_(static_cast<std::size_t>(size.rows / 2 + 1)),
       sites_(links.at.size(), Site{}),
       variant_(num_edges, 0),
-      taken_(2 * static_cast<std::size_t>(size.columns) * half_rows_ / 64 + 1),
+      taken_(size),
       lines_(num_edges + links.num_green) {
   if (cap > 0) caps_.emplace(cap, 8 * size.columns + 4 * size.rows + 16);
 }
@@ -88,7 +87,7 @@ Piece Strip::piece_of(const Shape& shape, Site tail, Site head) const {
 
 void Strip::commit(Vertex v, Site site, const Plan& plan) {
   sites_[v] = site;
-  taken_[cell_bit(site) / 64] |= std::uint64_t{1} << cell_bit(site) % 64;
+  taken_.flip(place_of(site));
   for (std::size_t i = 0; i < plan.count; ++i) {
     lines_.insert(plan.pieces[i]);
     if (plan.edges[i] == kNobody) continue;
@@ -102,14 +101,14 @@ Joined Strip::joined(Vertex v) const {
   for (const ColourRole role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
     const HalfEdge edge = links_->at[v][role];
     if (edge.to == kNobody || !is_placed(edge.to)) continue;
-    joined.edges[joined.count++] = {role, edge.edge, sites_[edge.to]};
+    joined.push_back({role, edge.edge, sites_[edge.to]});
   }
   return joined;
 }
 
 bool Strip::may_hold(Site site, const Joined& joined) const {
-  return !is_taken(site) &&
-         std::all_of(joined.begin(), joined.end(), [&](const Joined::PlacedNeighbour& edge) {
+  return !taken_.is_taken(place_of(site)) &&
+         std::all_of(joined.begin(), joined.end(), [&](const PlacedNeighbour& edge) {
            return may_join(edge.role, site, edge.other);
          });
 }
@@ -147,7 +146,7 @@ void Strip::remove(Vertex v) {
         piece_of({is_red(role), tail.type, head.type, head.column > tail.column, variant_[edge]},
                  tail, head));
   }
-  taken_[cell_bit(site) / 64] &= ~(std::uint64_t{1} << cell_bit(site) % 64);
+  taken_.flip(place_of(site));
   sites_[v] = {};
 }
 

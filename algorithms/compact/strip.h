@@ -1,11 +1,12 @@
 #pragma once
 
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "ar3d/algorithms/compact/letters.h"
+#include "ar3d/algorithms/compact/cells.h"
 #include "ar3d/algorithms/compact/words.h"
 #include "ar3d/algorithms/strips/lines.h"
 #include "ar3d/model/graph.h"
@@ -56,18 +57,13 @@ struct Decomposition {
 /// Balanced orientation and two-colouring of docs/theorem1.md. O(n + m).
 Decomposition decompose(const Graph& graph);
 
-/// Neighbours that are placed: what v is to the edge, the edge, and where its other end stands.
-struct Joined {
-  struct PlacedNeighbour {
-    ColourRole role = kGreenOut;
-    EdgeId edge = 0;
-    Site other;
-  };
-  std::array<PlacedNeighbour, 4> edges;
-  std::uint32_t count = 0;
-  const PlacedNeighbour* begin() const { return edges.data(); }
-  const PlacedNeighbour* end() const { return edges.data() + count; }
+/// A neighbour that is placed: what v is to the edge, the edge, and where its other end stands.
+struct PlacedNeighbour {
+  ColourRole role = kGreenOut;
+  EdgeId edge = 0;
+  Site other;
 };
+using Joined = boost::container::static_vector<PlacedNeighbour, 4>;
 
 /// The vertices placed so far and the pieces of contested lines that their edges use. Invariants:
 /// (a) a green edge leaves a tail of type 0 to the right and one of type 1 to the left; (b) all
@@ -92,7 +88,6 @@ class Strip {
 
   bool is_placed(Vertex v) const { return sites_[v].is_set(); }
   const Site& site(Vertex v) const { return sites_[v]; }
-  Vertex num_vertices() const { return static_cast<Vertex>(sites_.size()); }
   const StripSize& size() const { return size_; }
   const Roles& roles(Vertex v) const { return links_->at[v]; }
   /// Returns where all vertices stand, all of them placed.
@@ -108,15 +103,6 @@ class Strip {
     std::size_t count = 0;
   };
 
-  std::size_t cell_bit(Site site) const {
-    return 2 * (static_cast<std::size_t>(site.column) * half_rows_ +
-                static_cast<std::size_t>(site.row / 2)) +
-           static_cast<std::size_t>(site.type);
-  }
-  bool is_taken(Site site) const {
-    const std::size_t bit = cell_bit(site);
-    return (taken_[bit / 64] >> bit % 64 & 1) != 0;
-  }
   /// False if the cell is taken or some edge to those neighbours can have no word there.
   bool may_hold(Site site, const Joined& joined) const;
   bool has_arrival(Vertex v) const { return links_->at[v][kGreenIn].to != kNobody; }
@@ -130,10 +116,9 @@ class Strip {
 
   const Decomposition* links_;  ///< never null
   StripSize size_;
-  std::size_t half_rows_;  ///< cells of a column: every other row has one
   UnwrittenVector<Site> sites_;
   std::vector<std::uint8_t> variant_;
-  std::vector<std::uint64_t> taken_;  ///< two bits per cell, one for each type
+  TakenPlaces taken_;
   strips::Lines lines_;
   std::optional<Caps> caps_;
 };

@@ -57,12 +57,7 @@ Strip fill_zones(const Graph& graph, const Decomposition& links, RandomStream ra
                  Census& census, bool random_trials) {
   const Vertex n = graph.num_vertices();
   const std::vector<std::uint8_t> colours = greedy_colours(graph);
-  std::vector<std::int64_t> sizes;
-  for (const std::uint8_t colour : colours) {
-    if (colour >= sizes.size()) sizes.resize(colour + 1u);
-    ++sizes[colour];
-  }
-  const Zones zones = lay_out_zones(sizes);
+  const Zones zones = lay_out_zones(strips::sizes_of(colours));
   Strip strip(links, graph.num_edges(), zones.size, zones.cap);
   const auto rows = static_cast<std::uint32_t>(zones.size.rows);
   const int trials = random_trials ? strips::random_trials(n) : 0;

@@ -107,23 +107,19 @@ Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
 }
 
 Algorithm row() {
-  Algorithm row;
-  row.name = "compact-120";
-  row.summary = "degree at most 3, 5 bends per edge, all angles 120 degrees, volume O(n^1.5)";
-  row.source = "the paper's last open question";
-  row.guarantee = {
-      .max_degree = 3,
-      .max_bends = 5,
-      .angle_rule = AngleRule::exactly,
-      .cosine = {-1, 2},
-      .lattice = kCubeLattice,
-      .directions = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}},
-      .vertices_in_plane = false,
-      .bound = size_bound(),
-      .published = {},
-  };
-  strips::offer_efforts<draw>(row);
-  return row;
+  return strips::row_of<draw>(
+      "compact-120", "degree at most 3, 5 bends per edge, all angles 120 degrees, volume O(n^1.5)",
+      {
+          .max_degree = 3,
+          .max_bends = 5,
+          .angle_rule = AngleRule::exactly,
+          .cosine = {-1, 2},
+          .lattice = kCubeLattice,
+          .directions = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}},
+          .vertices_in_plane = false,
+          .bound = size_bound(),
+          .published = {},
+      });
 }
 
 // Lemma D.10, and the drawing in space. The sites of the two ends and one byte per edge give the

@@ -27,8 +27,6 @@ std::optional<Strip> fill_narrow_strip(const NarrowOrder& order, std::size_t num
                                        const Tightness& tightness, strips::NumbersAhead random,
                                        Census& census);
 
-using strips::Census;
-
 /// The wide strip of the size bound's proof: level k stands in the columns begin[k] .. begin[k] +
 /// width[k] - 1, with enough empty columns between zones that all lengths are at least 1.
 struct Zones {

@@ -43,26 +43,21 @@ struct Site {
 
 /// t and w of a site. Modulo 4 they are (0, 0) for N, (2, 2) for S, (2, 0) for T; the slant of a
 /// vertex, w + 5t/2, is 4 row + 2 (column mod 2) - 1, 0 or 1, so that a strip is level.
-struct Coordinates2 {
-  std::int32_t t = 0;
-  std::int32_t w = 0;
-};
-inline Coordinates2 coordinates(Site s) {
+inline std::int32_t t_of(Site s) {
   constexpr std::array<std::int32_t, 3> kAcross = {0, 2, 2};
+  return 4 * s.column + kAcross[static_cast<std::size_t>(s.of)];
+}
+inline std::int32_t w_of(Site s) {
   constexpr std::array<std::int32_t, 3> kAlong = {0, -6, -4};
-  const auto of = static_cast<std::size_t>(s.of);
-  return {4 * s.column + kAcross[of], 4 * (s.row - 5 * s.column / 2) + kAlong[of]};
+  return 4 * (s.row - 5 * s.column / 2) + kAlong[static_cast<std::size_t>(s.of)];
 }
 
 /// The slant w + 5t/2 of a site: an integer, as t is even.
-inline std::int32_t slant(Site s) {
-  const Coordinates2 at = coordinates(s);
-  return at.w + 5 * at.t / 2;
-}
+inline std::int32_t slant(Site s) { return w_of(s) + 5 * t_of(s) / 2; }
 
 /// The vertex at a site: (t, w, -5t - w, 4t), in the plane 5 x0 + x1 + x2 = 0.
 inline Quad quad_of(Site s) {
-  const auto [t, w] = coordinates(s);
+  const std::int32_t t = t_of(s), w = w_of(s);
   return {t, w, -5 * t - w, 4 * t};
 }
 
@@ -86,7 +81,7 @@ inline Site site_of(Point p) {
   const auto w = static_cast<std::int32_t>(p.x) - t;
   const Class of = t % 4 == 0 ? Class::n : (w & 3) == 2 ? Class::s : Class::t;
   const Site first{t / 4, 0, of};
-  return {first.column, (w - coordinates(first).w) / 4, of};
+  return {first.column, (w - w_of(first)) / 4, of};
 }
 
 }  // namespace ar3d::compact_120

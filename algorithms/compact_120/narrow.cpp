@@ -67,7 +67,7 @@ class OrderedPlacer {
   strips::FewVertices placed_neighbours(Vertex v) const {
     strips::FewVertices placed;
     for (const ArmLink& link : strip_.links().at[v]) {
-      if (link.is_set() && strip_.is_placed(link.to)) placed.at[placed.count++] = link.to;
+      if (link.is_set() && strip_.is_placed(link.to)) placed.push_back(link.to);
     }
     return placed;
   }
@@ -118,21 +118,21 @@ class OrderedPlacer {
   /// The rows of the column in which all lengths to placed neighbours are at least 1: with d the
   /// slant of the head minus that of the tail, d <= 3/2 |Dt| - 2 and d >= 2 - 5/2 |Dt|.
   SiteRange rows_for(Vertex v, Site site) const {
-    const std::int32_t t = coordinates(site).t;
+    const std::int32_t t = t_of(site);
     const std::int32_t base = slant(site);
     std::int32_t low = base;
     std::int32_t high = base + 4 * (strip_.size().rows - 1);
     for (const ArmLink& link : strip_.links().at[v]) {
       if (!link.is_set() || !strip_.is_placed(link.to)) continue;
       const Site& other = strip_.site(link.to);
-      const std::int32_t across = (coordinates(other).t - t) * (link.is_right != 0 ? 1 : -1);
+      const std::int32_t across = (t_of(other) - t) * (link.is_right != 0 ? 1 : -1);
       if (across <= 0) return {};
       const std::int32_t shallow = 3 * across / 2 - 2;
       const std::int32_t deep = 5 * across / 2 - 2;
       const std::int32_t at = slant(other);
       low = std::max(low, at - (link.is_out != 0 ? shallow : deep));
       high = std::min(high, at + (link.is_out != 0 ? deep : shallow));
-      const std::int32_t tail_t = link.is_out != 0 ? t : coordinates(other).t;
+      const std::int32_t tail_t = link.is_out != 0 ? t : t_of(other);
       const std::int32_t least = strip_.least_slant(link, tail_t, across);
       if ((link.is_out != 0) != link.is_steep()) {
         low = std::max(low, least);

@@ -14,41 +14,28 @@ namespace {
 constexpr std::uint32_t kColourStep = 100;  ///< ranks between two colours
 constexpr std::uint32_t kSourceStep = 5;    ///< between sources of different colours that moved
 
-/// Moves sources or sinks.
-class Mover {
- public:
-  Mover(const Graph& graph, Order& order) : graph_(graph), order_(order) {}
+/// Neighbours of v to the right (or left).
+int count(const Graph& graph, const Order& order, Vertex v, bool right) {
+  int found = 0;
+  for (const HalfEdge& edge : graph.incident(v)) found += order.is_right(v, edge.to) == right;
+  return found;
+}
 
-  /// All neighbours on the far side: right of a source, left of a sink.
-  bool is_extreme(Vertex v, bool source) const {
-    return graph_.degree(v) == 3 && count(v, source) == 3;
+/// The neighbour that a source or sink would pass: the nearest one.
+Vertex nearest(const Graph& graph, const Order& order, Vertex v, bool source) {
+  Vertex best = graph.incident(v)[0].to;
+  for (const HalfEdge& edge : graph.incident(v)) {
+    if (order.is_right(edge.to, best) == source) best = edge.to;
   }
+  return best;
+}
 
-  /// The neighbour that v would pass: the nearest one.
-  Vertex nearest(Vertex v, bool source) const {
-    Vertex best = graph_.incident(v)[0].to;
-    for (const HalfEdge& edge : graph_.incident(v)) {
-      if (order_.is_right(edge.to, best) == source) best = edge.to;
-    }
-    return best;
-  }
-
-  /// Neighbours of v to the right (or left).
-  int count(Vertex v, bool right) const {
-    int found = 0;
-    for (const HalfEdge& edge : graph_.incident(v)) found += order_.is_right(v, edge.to) == right;
-    return found;
-  }
-
-  /// If v may pass its nearest neighbour: that one has another neighbour on v's side.
-  bool may_move(Vertex v, bool source) const {
-    return is_extreme(v, source) && count(nearest(v, source), !source) >= 2;
-  }
-
- private:
-  const Graph& graph_;
-  const Order& order_;
-};
+/// Is v a source or sink of degree 3 that may pass its nearest neighbour, as that one has another
+/// neighbour on v's side?
+bool may_move(const Graph& graph, const Order& order, Vertex v, bool source) {
+  return graph.degree(v) == 3 && count(graph, order, v, source) == 3 &&
+         count(graph, order, nearest(graph, order, v, source), !source) >= 2;
+}
 
 }  // namespace
 
@@ -77,13 +64,15 @@ Order moved_order(const Graph& graph) {
   for (const std::uint8_t colour : colours) {
     order.rank.push_back(rank_of(kColourStep * (colour + 1u)));
   }
-  const Mover mover(graph, order);
+  const auto rank_beside = [&](Vertex v, bool source) {
+    return order.rank[nearest(graph, order, v, source)];
+  };
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    if (!mover.may_move(v, true)) continue;
-    order.rank[v] = rank_of(order.rank[mover.nearest(v, true)] + kSourceStep * (colours[v] + 1u));
+    if (!may_move(graph, order, v, true)) continue;
+    order.rank[v] = rank_of(rank_beside(v, true) + kSourceStep * (colours[v] + 1u));
   }
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    if (mover.may_move(v, false)) order.rank[v] = rank_of(order.rank[mover.nearest(v, false)] - 1u);
+    if (may_move(graph, order, v, false)) order.rank[v] = rank_of(rank_beside(v, false) - 1u);
   }
   return order;
 }

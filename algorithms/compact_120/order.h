@@ -119,6 +119,7 @@ struct ArmLink {
   /// It arrives at T on 01 or at S on 20. (At N edges to the right arrive on 20, to the left on
   /// 01.)
   bool is_steep() const { return arrival() == (runs_right() ? Arrival::on_01 : Arrival::on_20); }
+  friend bool operator==(const ArmLink&, const ArmLink&) = default;
 };
 
 /// The class of every vertex and the edge at each of its arms. An own edge to the right leaves at

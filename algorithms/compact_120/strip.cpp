@@ -56,10 +56,10 @@ void Strip::ask_for_line(const ArmLink& link, const Quad& own) const {
 bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
   if (!free_.is_free(site)) return false;
   const std::array<ArmLink, 3>& links = links_->at[v];
-  const std::int32_t t = coordinates(site).t;
+  const std::int32_t t = t_of(site);
   for (const ArmLink& link : links) {
     if (!link.is_set() || !is_placed(link.to)) continue;
-    const std::int32_t other_t = coordinates(sites_[link.to]).t;
+    const std::int32_t other_t = t_of(sites_[link.to]);
     if (link.is_right != 0 ? other_t <= t : other_t >= t) return false;
   }
   const Quad own = quad_of(site);

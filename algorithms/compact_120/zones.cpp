@@ -42,12 +42,7 @@ Zones lay_out_zones(const std::vector<std::int64_t>& sizes) {
 Strip fill_zones(const Order& levels, const Links& links, std::size_t num_edges,
                  RandomStream random, Census& census, bool random_trials) {
   const LongVector<std::uint16_t>& level = levels.rank;
-  std::vector<std::int64_t> sizes;
-  for (const std::uint32_t k : level) {
-    if (k >= sizes.size()) sizes.resize(k + 1u);
-    ++sizes[k];
-  }
-  const Zones zones = lay_out_zones(sizes);
+  const Zones zones = lay_out_zones(strips::sizes_of(level));
   Strip strip(links, num_edges, zones.size, true);
   const auto rows = static_cast<std::uint32_t>(zones.size.rows);
   const int trials = random_trials ? strips::random_trials(level.size()) : 0;

@@ -64,13 +64,18 @@ inline std::optional<Tightness> first_tightness(const char* algorithm, int effor
   return narrow[static_cast<std::size_t>(effort - 1)];
 }
 
-/// The row's option `effort`, and its drawing function with it.
+/// The catalogue row of an algorithm that fills strips.
 template <auto draw>
-void offer_efforts(Algorithm& row) {
-  row.options = {effort_option(
-      kHighestEffort,
-      "0: the zones of the proof; 1: a narrow strip; 2: a narrower one, several times slower")};
-  row.draw = draw_with_effort<draw>;
+Algorithm row_of(const char* name, const char* summary, Guarantee guarantee) {
+  return {
+      .name = name,
+      .summary = summary,
+      .source = "the paper's last open question",
+      .guarantee = std::move(guarantee),
+      .options = {effort_option(
+          kHighestEffort,
+          "0: the zones of the proof; 1: a narrow strip; 2: a narrower one, several times slower")},
+      .draw = draw_with_effort<draw>};
 }
 
 }  // namespace ar3d::strips

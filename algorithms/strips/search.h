@@ -3,8 +3,8 @@
 // How places in a strip are found, whatever the letters: at random with ejections, at random and
 // then in turn, and in ever wider strips.
 
-#include <array>
 #include <bit>
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <numeric>
 #include <optional>
@@ -54,10 +54,7 @@ inline std::vector<Vertex> stack_of_vertices(Vertex n) {
 }
 
 /// Neighbours of one vertex.
-struct FewVertices {
-  std::array<Vertex, 4> at{};
-  std::uint32_t count = 0;
-};
+using FewVertices = boost::container::static_vector<Vertex, 4>;
 
 /// Greedy search with ejections, as in cuckoo hashing (Pagh and Rodler 2001): a vertex that finds
 /// no place ejects one of its placed neighbours, which is placed again next.
@@ -77,8 +74,8 @@ bool place_with_ejections(Placer& placer, std::vector<Vertex> waiting, std::int6
     }
     if (ejections-- == 0) return false;
     const FewVertices placed = placer.placed_neighbours(v);
-    if (placed.count == 0) continue;
-    const Vertex away = placed.at[random.below(placed.count)];
+    if (placed.empty()) continue;
+    const Vertex away = placed[random.below(static_cast<std::uint32_t>(placed.size()))];
     placer.remove(away);
     waiting.insert(waiting.end() - 1, away);
     ++census.ejections;
@@ -108,6 +105,17 @@ inline std::int64_t cells_with_reserve(std::int64_t closed) { return closed + cl
 
 /// Random cells to try before all in turn: all are closed with probability below 1/n.
 inline int random_trials(std::uint64_t n) { return 6 * static_cast<int>(std::bit_width(n)) + 8; }
+
+/// Returns how many vertices each zone has. @param zones  by vertex.
+template <class Zones>
+std::vector<std::int64_t> sizes_of(const Zones& zones) {
+  std::vector<std::int64_t> sizes;
+  for (const auto zone : zones) {
+    if (zone >= sizes.size()) sizes.resize(zone + 1u);
+    ++sizes[zone];
+  }
+  return sizes;
+}
 
 inline constexpr std::uint64_t kStrips =
     8;  ///< narrow strips tried, each wider than the one before

@@ -148,49 +148,46 @@ std::vector<LoneEdge> some_edges() {
 }
 
 bool is_right(const LoneEdge& one, const LoneEdge& two) {
-  const std::vector<Site> sites = {one.tail, one.head, two.tail, two.head};
-  Coordinates at(4, 1000);
-  for (std::size_t v = 0; v < 4; ++v) at.set(v, to_point(quad_of(sites[v])));
-  StoredBends stored;
+  testing::Draft draft;
   for (const LoneEdge* edge : {&one, &two}) {
-    std::vector<Point> bends;
-    Route(edge->shape, quad_of(edge->tail), quad_of(edge->head)).append_bends(bends);
-    stored.add_edge(bends);
+    const auto v = static_cast<Vertex>(draft.vertices.size());
+    draft.edges.push_back({{v, v + 1}, {}});
+    const Quad tail = quad_of(edge->tail), head = quad_of(edge->head);
+    draft.vertices.insert(draft.vertices.end(), {to_point(tail), to_point(head)});
+    Route(edge->shape, tail, head).append_bends(draft.edges.back().bends);
   }
-  const Graph graph(4, {{0, 1}, {2, 3}});
-  const Drawing drawing("compact-120", kCubeLattice, std::move(at), graph.shared_edges(),
-                        std::make_shared<StoredBends>(stored));
-  return certify(graph, drawing, row().guarantee, {.check_size = false}).valid();
+  return testing::is_valid(draft, row().guarantee);
+}
+
+/// Expects that two edges for which that holds are never right; that there are such.
+template <class Clash>
+void expect_wrong(Clash clash) {
+  const std::vector<LoneEdge> edges = some_edges();
+  int clashes = 0;
+  for (const LoneEdge& one : edges) {
+    for (const LoneEdge& two : edges) {
+      if (!clash(one, two)) continue;
+      ++clashes;
+      ASSERT_FALSE(is_right(one, two));
+    }
+  }
+  EXPECT_GT(clashes, 0);
 }
 
 TEST(Compact120Mutation, PiecesThatTouchCount) {
-  const std::vector<LoneEdge> edges = some_edges();
-  int touching = 0;
-  for (const LoneEdge& one : edges) {
-    for (const LoneEdge& two : edges) {
-      if (one.piece.line != two.piece.line || one.piece.high != two.piece.low) continue;
-      const std::set<Point> ends = {to_point(quad_of(one.tail)), to_point(quad_of(one.head)),
-                                    to_point(quad_of(two.tail)), to_point(quad_of(two.head))};
-      if (ends.size() < 4) continue;
-      ++touching;
-      ASSERT_FALSE(is_right(one, two));
-    }
-  }
-  EXPECT_GT(touching, 0);
+  expect_wrong([](const LoneEdge& one, const LoneEdge& two) {
+    if (one.piece.line != two.piece.line || one.piece.high != two.piece.low) return false;
+    const std::set<Point> ends = {to_point(quad_of(one.tail)), to_point(quad_of(one.head)),
+                                  to_point(quad_of(two.tail)), to_point(quad_of(two.head))};
+    return ends.size() == 4;
+  });
 }
 
 TEST(Compact120Mutation, WordsToNAndToSinksCompete) {
-  const std::vector<LoneEdge> edges = some_edges();
-  int competing = 0;
-  for (const LoneEdge& one : edges) {
-    for (const LoneEdge& two : edges) {
-      if (one.shape.at != Arrival::on_12 || two.shape.at != Arrival::on_01) continue;
-      if (one.tail == two.tail || !one.piece.overlaps(two.piece)) continue;
-      ++competing;
-      ASSERT_FALSE(is_right(one, two));
-    }
-  }
-  EXPECT_GT(competing, 0);
+  expect_wrong([](const LoneEdge& one, const LoneEdge& two) {
+    return one.shape.at == Arrival::on_12 && two.shape.at == Arrival::on_01 &&
+           one.tail != two.tail && one.piece.overlaps(two.piece);
+  });
 }
 
 }  // namespace

@@ -40,8 +40,7 @@ Table the_table() {
     }
   }
   for (const Class of : {Class::n, Class::s, Class::t}) {
-    const Coordinates2 at = coordinates({0, 0, of});
-    table.places[static_cast<std::size_t>(of)] = {at.t, at.w};
+    table.places[static_cast<std::size_t>(of)] = {t_of({0, 0, of}), w_of({0, 0, of})};
   }
   return table;
 }

@@ -94,13 +94,7 @@ TEST(Compact120Strip, GivesBackWhatAVertexUsed) {
   std::optional<Strip> strip =
       fill_narrow_strip(order, graph.num_edges(), {}, strips::NumbersAhead(1), census);
   ASSERT_TRUE(strip);
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    const Site site = strip->site(v);
-    EXPECT_FALSE(strip->fits(v, site)) << "taken by itself";
-    strip->remove(v);
-    EXPECT_FALSE(strip->is_placed(v));
-    ASSERT_TRUE(strip->try_place(v, site)) << "the edges' first variants may differ, but one fits";
-  }
+  testing::expect_gives_back(*strip, graph.num_vertices());
 }
 
 TEST(Compact120Strip, IsGivenUpAfterItsEjections) {
@@ -115,22 +109,12 @@ TEST(Compact120Strip, IsGivenUpAfterItsEjections) {
 }
 
 TEST(Compact120Zones, KeepTheTheoremsBoxForEverySize) {
-  const SizeBound bound = row().guarantee.bound;
-  RandomStream random(3);
-  std::int64_t n = 1;
-  while (n <= std::int64_t{kMaxVertices}) {
-    for (std::int64_t levels = 1; levels <= 76 && levels <= n; levels += 1 + levels / 8) {
-      for (const bool even : {true, false}) {
-        std::vector<std::int64_t> sizes(static_cast<std::size_t>(levels), even ? n / levels : 1);
-        sizes[0] = n - (levels - 1) * sizes.back();
-        const Zones zones = lay_out_zones(sizes);
-        EXPECT_TRUE(bound.holds(box_of(zones.size), static_cast<std::uint64_t>(n)))
-            << n << " vertices, " << levels << " levels";
-        EXPECT_LE(zones.size.columns, 36.14 * std::sqrt(static_cast<double>(n)) + 801);
-      }
-    }
-    n = n < 300 ? n + 1 : n + n / 30 + random.below(7);
-  }
+  const auto size_of = [](const auto& sizes, std::int64_t n) {
+    const StripSize size = lay_out_zones(sizes).size;
+    EXPECT_LE(size.columns, 36.14 * std::sqrt(static_cast<double>(n)) + 801);
+    return size;
+  };
+  testing::expect_zones_fit(testing::compact_120_strips(), 76, 300, size_of, box_of);
 }
 
 /// Fills the zones, every vertex in its first (or last) free place, and compares the closed places
@@ -139,32 +123,20 @@ void expect_count_holds(const Graph& graph, bool from_left) {
   const Order order = moved_order(graph);
   const Links links = assign_arms(graph, order, choose_owners(graph, order));
   const Order levels = in_levels(graph, order);
-  std::vector<std::int64_t> sizes;
-  for (const std::uint32_t level : levels.rank) {
-    if (level >= sizes.size()) sizes.resize(level + 1);
-    ++sizes[level];
-  }
+  const std::vector<std::int64_t> sizes = strips::sizes_of(levels.rank);
   const Zones zones = lay_out_zones(sizes);
   Strip strip(links, graph.num_edges(), zones.size, true);
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     const std::uint32_t level = levels.rank[v];
     const std::int32_t places = zones.width[level] * zones.size.rows;
-    std::int64_t closed = 0;
-    Site chosen;
+    std::vector<Site> sites;
     for (std::int32_t i = 0; i < places; ++i) {
       const std::int32_t place = from_left ? i : places - 1 - i;
-      const Site site{zones.begin[level] + place / zones.size.rows, place % zones.size.rows,
-                      links.of[v]};
-      if (!strip.fits(v, site)) {
-        ++closed;
-      } else if (!chosen.is_set()) {
-        chosen = site;
-      }
+      sites.push_back(
+          {zones.begin[level] + place / zones.size.rows, place % zones.size.rows, links.of[v]});
     }
     const std::int64_t most = most_closed_cells(sizes[level], zones.size.rows);
-    ASSERT_LE(closed, most);
-    ASSERT_GT(places, most);
-    ASSERT_TRUE(strip.try_place(v, chosen));
+    ASSERT_NO_FATAL_FAILURE(testing::expect_few_closed(strip, v, sites, most));
   }
 }
 
@@ -176,12 +148,6 @@ TEST(Compact120Zones, HaveNoMoreClosedPlacesThanTheProofCounts) {
     }
   }
   expect_count_holds(generate(find_family("random-cubic"), 3000, 2), true);
-}
-
-TEST(Compact120Zones, AllCellsInTurnFindWhatRandomCellsMiss) {
-  const Graph graph = generate(find_family("random-cubic"), 60, 2);
-  const testing::StripAlgorithm& algorithm = testing::compact_120_strips();
-  EXPECT_EQ(testing::strip_fault(algorithm, graph, algorithm.draw_by_scans(graph)), "");
 }
 
 }  // namespace

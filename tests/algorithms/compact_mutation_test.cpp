@@ -107,68 +107,60 @@ TEST(CompactRules, OverlapsAreTheOnlyFaultsLeft) {
   EXPECT_GT(testing::overlapping_drawings<RandomDrawing>(Rules()), 10u);
 }
 
-/// Mutations that change one number or switch.
+/// Breaks words of red edges to that side.
+std::function<void(Rules&)> red(bool right, std::function<void(const Shape&, Word&)> change) {
+  return [=](Rules& rules) {
+    rules.change = [=](const Shape& shape, Word& word) {
+      if (shape.red && shape.right == right) change(shape, word);
+    };
+  };
+}
+
+std::function<void(Rules&)> red_lengths(bool right, std::array<std::int32_t, 3> lengths) {
+  return red(right, [=](const Shape&, Word& word) { word.short_length = lengths; });
+}
+
+/// Another letter a or d in the first short of one variant.
+std::function<void(Rules&)> red_first_short(unsigned variant) {
+  return red(true, [=](const Shape& shape, Word& word) {
+    Letter& letter = word.short_letter[0];
+    if (shape.variant == variant) letter = letter == kA ? kD : kA;
+  });
+}
+
 TEST(CompactMutation, EveryRuleIsNeeded) {
   const std::pair<const char*, std::function<void(Rules&)>> mutations[] = {
       {"arrival lines", [](Rules& rules) { rules.arrivals_count = false; }},
       {"one vertex a cell and type",
        [](Rules& rules) { rules.one_vertex_a_cell_and_type = false; }},
       {"one red in-edge", [](Rules& rules) { rules.one_red_in = false; }},
-      {"lengths of at least one", [](Rules& rules) { rules.shortest = 0; }}};
+      {"lengths of at least one", [](Rules& rules) { rules.shortest = 0; }},
+      {"the shift of h by the type",
+       [](Rules& rules) { rules.place = [](Site s) {
+                            return letters_of({s.column, s.row, 0});
+                          }; }},
+      {"places that are four apart",
+       [](Rules& rules) {
+         rules.place = [](Site s) {
+           const std::int32_t g = s.column + s.row;
+           const std::int32_t h = s.column - s.row + 2 * s.type;
+           return Letters{g + h, g, h, 0};
+         };
+       }},
+      {"the first short of red edges to the right", red_first_short(0)},
+      {"the same in the other variant", red_first_short(1)},
+      {"the pairs of shorts of red edges to the left",
+       red(false, [](const Shape&,
+                     Word& word) { word.short_letter[1] = word.short_letter[1] == kA ? kB : kA; })},
+      {"longer red shorts to the right", red_lengths(true, {1, 1, 1})},
+      {"longer red shorts to the left", red_lengths(false, {1, 1, 1})},
+      {"shorter red shorts to the right", red_lengths(true, {2, 2, 2})},
+      {"shorter red shorts to the left", red_lengths(false, {2, 2, 2})}};
   for (const auto& [name, mutate] : mutations) {
     Rules rules;
     mutate(rules);
     EXPECT_GT(wrong_drawings(rules), 0u) << name;
   }
-}
-
-TEST(CompactMutation, TheShiftOfHByTheTypeIsNeeded) {
-  Rules rules;
-  rules.place = [](Site s) { return letters_of({s.column, s.row, 0}); };
-  EXPECT_GT(wrong_drawings(rules), 0u);
-}
-
-TEST(CompactMutation, PlacesThatAreFourApartAreNeeded) {
-  Rules rules;
-  rules.place = [](Site s) {
-    const std::int32_t g = s.column + s.row;
-    const std::int32_t h = s.column - s.row + 2 * s.type;
-    return Letters{g + h, g, h, 0};
-  };
-  EXPECT_GT(wrong_drawings(rules), 0u);
-}
-
-TEST(CompactMutation, TheFirstShortOfRedEdgesToTheRightIsNeeded) {
-  for (const unsigned variant : {0u, 1u}) {
-    Rules rules;
-    rules.change = [variant](const Shape& shape, Word& word) {
-      if (!shape.red || !shape.right || shape.variant != variant) return;
-      word.short_letter[0] = word.short_letter[0] == kA ? kD : kA;
-    };
-    EXPECT_GT(wrong_drawings(rules), 0u) << "variant " << variant;
-  }
-}
-
-TEST(CompactMutation, ThePairsOfShortsOfRedEdgesToTheLeftAreNeeded) {
-  Rules rules;
-  rules.change = [](const Shape& shape, Word& word) {
-    if (shape.red && !shape.right) word.short_letter[1] = word.short_letter[1] == kA ? kB : kA;
-  };
-  EXPECT_GT(wrong_drawings(rules), 0u);
-}
-
-TEST(CompactMutation, TheLengthsOfTheRedShortsAreNeeded) {
-  const auto with_lengths = [](bool right, std::array<std::int32_t, 3> lengths) {
-    Rules rules;
-    rules.change = [=](const Shape& shape, Word& word) {
-      if (shape.red && shape.right == right) word.short_length = lengths;
-    };
-    return wrong_drawings(rules);
-  };
-  EXPECT_GT(with_lengths(true, {1, 1, 1}), 0u);
-  EXPECT_GT(with_lengths(false, {1, 1, 1}), 0u);
-  EXPECT_GT(with_lengths(true, {2, 2, 2}), 0u);
-  EXPECT_GT(with_lengths(false, {2, 2, 2}), 0u);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class PlainPlacer {
   strips::FewVertices placed_neighbours(Vertex v) const {
     strips::FewVertices placed;
     for (const HalfEdge& edge : strip_.roles(v)) {
-      if (edge.to != kNobody && strip_.is_placed(edge.to)) placed.at[placed.count++] = edge.to;
+      if (edge.to != kNobody && strip_.is_placed(edge.to)) placed.push_back(edge.to);
     }
     return placed;
   }

@@ -9,21 +9,9 @@ namespace ar3d::compact {
 namespace {
 
 TEST(CompactZones, KeepTheTheoremsBoxForEverySize) {
-  const SizeBound bound = compact::row().guarantee.bound;
-  RandomStream random(3);
-  std::int64_t n = 1;
-  while (n <= std::int64_t{kMaxVertices}) {
-    for (std::int64_t colours = 1; colours <= 5 && colours <= n; ++colours) {
-      for (const bool even : {true, false}) {
-        std::vector<std::int64_t> sizes(static_cast<std::size_t>(colours), even ? n / colours : 1);
-        sizes[0] = n - (colours - 1) * sizes.back();
-        const Zones zones = lay_out_zones(sizes);
-        EXPECT_TRUE(bound.holds(box_of(zones.size), static_cast<std::uint64_t>(n)))
-            << n << " vertices, " << colours << " colours";
-      }
-    }
-    n = n < 3000 ? n + 1 : n + n / 50 + random.below(7);
-  }
+  testing::expect_zones_fit(
+      testing::compact_strips(), 5, 3000,
+      [](const auto& sizes, std::int64_t) { return lay_out_zones(sizes).size; }, box_of);
 }
 
 /// All sites of zone k with the vertex's type.
@@ -44,9 +32,7 @@ std::vector<Site> sites_of_zone(const Zones& zones, std::size_t k, std::int32_t 
 void expect_count_holds(const Graph& graph, bool from_left) {
   const Decomposition links = decompose(graph);
   const std::vector<std::uint8_t> colours = greedy_colours(graph);
-  std::vector<std::int64_t> sizes(5, 0);
-  for (const std::uint8_t colour : colours) ++sizes[colour];
-  while (sizes.back() == 0) sizes.pop_back();
+  const std::vector<std::int64_t> sizes = strips::sizes_of(colours);
   const Zones zones = lay_out_zones(sizes);
   Strip strip(links, graph.num_edges(), zones.size, zones.cap);
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
@@ -54,20 +40,9 @@ void expect_count_holds(const Graph& graph, bool from_left) {
     const std::int32_t type = head != kNobody && colours[head] < colours[v] ? 1 : 0;
     std::vector<Site> sites = sites_of_zone(zones, colours[v], type);
     if (!from_left) std::reverse(sites.begin(), sites.end());
-    std::int64_t closed = 0;
-    Site chosen;
-    for (const Site& site : sites) {
-      if (!strip.fits(v, site)) {
-        ++closed;
-      } else if (!chosen.is_set()) {
-        chosen = site;
-      }
-    }
     const std::int64_t most =
         most_closed_cells(sizes[colours[v]], graph.num_vertices(), zones.size.rows, zones.cap);
-    ASSERT_LE(closed, most);
-    ASSERT_GT(static_cast<std::int64_t>(sites.size()), most);
-    ASSERT_TRUE(strip.try_place(v, chosen));
+    ASSERT_NO_FATAL_FAILURE(testing::expect_few_closed(strip, v, sites, most));
   }
 }
 
@@ -88,14 +63,6 @@ TEST(CompactZones, ColoursAreProper) {
     for (const Edge& edge : graph.edges()) EXPECT_NE(colours[edge.u], colours[edge.v]);
     for (const std::uint8_t colour : colours) EXPECT_LT(colour, 5);
   }
-}
-
-TEST(CompactZones, AllCellsInTurnFindWhatRandomCellsMiss) {
-  const Graph graph = generate(find_family("random-4-regular"), 60, 2);
-  const Decomposition links = decompose(graph);
-  Census census;
-  fill_zones(graph, links, RandomStream(1), census, false);
-  EXPECT_EQ(census.scans, 60);
 }
 
 TEST(CompactCaps, CloseAValueAtTheCap) {

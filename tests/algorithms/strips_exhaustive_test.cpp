@@ -17,10 +17,11 @@ struct GraphsOfSize {
 std::ostream& operator<<(std::ostream& out, const GraphsOfSize& of) {
   return out << of.algorithm->suite << " n" << of.n;
 }
-std::vector<GraphsOfSize> with_sizes(const StripAlgorithm& algorithm, int first, int last,
-                                     int step) {
+/// @param most_compact, most_120  the largest sizes.
+std::vector<GraphsOfSize> with_sizes(int first, int most_compact, int most_120) {
   std::vector<GraphsOfSize> all;
-  for (int n = first; n <= last; n += step) all.push_back({&algorithm, n});
+  for (int n = first; n <= most_compact; ++n) all.push_back({&compact_strips(), n});
+  for (int n = first; n <= most_120; ++n) all.push_back({&compact_120_strips(), n});
   return all;
 }
 
@@ -33,35 +34,21 @@ const std::map<std::uint32_t, std::map<int, std::size_t>> kRegular = {
     {3, {{4, 1}, {6, 2}, {8, 5}, {10, 19}, {12, 85}, {14, 509}, {16, 4060}}},
     {4, {{5, 1}, {6, 1}, {7, 2}, {8, 6}, {9, 16}, {10, 59}, {11, 265}}}};
 
-/// All of them, whose number is right.
-std::vector<Graph> small_graphs(const StripAlgorithm& algorithm, int n) {
-  std::vector<Graph> graphs = geng(fmt::format("-D{} {}", algorithm.max_degree(), n));
-  EXPECT_EQ(graphs.size(), kSmall.at(algorithm.max_degree()).at(static_cast<std::size_t>(n)));
-  return graphs;
-}
-
 class StripSmallGraphs : public ::testing::TestWithParam<GraphsOfSize> {};
 
-TEST_P(StripSmallGraphs, AreCertifiedAtEveryEffortUnderTwoLabellings) {
+TEST_P(StripSmallGraphs, AreCertifiedAtEveryEffortUnderTwoLabellingsAndWithCellsTriedInTurn) {
   const auto [algorithm, n] = GetParam();
   std::uint64_t seed = 0;
-  for (const Graph& graph : small_graphs(*algorithm, n)) {
+  const std::vector<Graph> graphs = geng(fmt::format("-D{} {}", algorithm->max_degree(), n));
+  EXPECT_EQ(graphs.size(), kSmall.at(algorithm->max_degree()).at(static_cast<std::size_t>(n)));
+  for (const Graph& graph : graphs) {
     ASSERT_EQ(strip_fault(*algorithm, graph), "");
     ASSERT_EQ(strip_fault(*algorithm, shuffled(graph, ++seed)), "") << "seed " << seed;
-  }
-}
-
-TEST_P(StripSmallGraphs, AreCertifiedWithCellsTriedInTurn) {
-  const auto [algorithm, n] = GetParam();
-  for (const Graph& graph : small_graphs(*algorithm, n)) {
     ASSERT_EQ(strip_fault(*algorithm, graph, algorithm->draw_by_scans(graph)), "");
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(UpToNineVertices, StripSmallGraphs,
-                         ::testing::ValuesIn(with_sizes(compact_strips(), 1, 9, 1)), named());
-INSTANTIATE_TEST_SUITE_P(UpToTenVertices, StripSmallGraphs,
-                         ::testing::ValuesIn(with_sizes(compact_120_strips(), 1, 10, 1)), named());
+INSTANTIATE_TEST_SUITE_P(Of, StripSmallGraphs, ::testing::ValuesIn(with_sizes(1, 9, 10)), named());
 
 class StripRegularGraphs : public ::testing::TestWithParam<GraphsOfSize> {};
 
@@ -78,10 +65,15 @@ TEST_P(StripRegularGraphs, AreCertifiedInThreeLabellings) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(UpToElevenVertices, StripRegularGraphs,
-                         ::testing::ValuesIn(with_sizes(compact_strips(), 5, 11, 1)), named());
-INSTANTIATE_TEST_SUITE_P(UpToSixteenVertices, StripRegularGraphs,
-                         ::testing::ValuesIn(with_sizes(compact_120_strips(), 4, 16, 2)), named());
+std::vector<GraphsOfSize> regular_sizes() {
+  std::vector<GraphsOfSize> all = with_sizes(4, 11, 16);
+  std::erase_if(all, [](const GraphsOfSize& of) {
+    return !kRegular.at(of.algorithm->max_degree()).contains(of.n);
+  });
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, StripRegularGraphs, ::testing::ValuesIn(regular_sizes()), named());
 
 }  // namespace
 }  // namespace ar3d::testing

@@ -54,7 +54,9 @@ TEST_P(StripInputs, ProofsZonesTriedInTurnAreCertified) {
   for (const Family& family : families()) {
     if (family.max_degree > algorithm().max_degree()) continue;
     const Graph graph = generate(family, 100, 5);
-    EXPECT_EQ(strip_fault(algorithm(), graph, algorithm().draw_by_scans(graph)), "") << family.name;
+    const Drawing drawing = algorithm().draw_by_scans(graph);
+    EXPECT_EQ(strip_fault(algorithm(), graph, drawing), "") << family.name;
+    EXPECT_EQ(counter_of(drawing, "scans"), graph.num_vertices()) << family.name;
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "ar3d/algorithms/compact_120/compact_120.h"
 #include "ar3d/algorithms/compact_120/fill.h"
 #include "ar3d/verify/certificate.h"
+#include "support/counters.h"
 #include "support/graphs.h"
 
 namespace ar3d::testing {
@@ -27,6 +29,9 @@ struct StripAlgorithm {
   Drawing (*draw_by_scans)(const Graph& graph);
   strips::Tightness too_tight;  ///< no strip that begins so can be filled
   double volume_per_n_1_5;      ///< more than random regular graphs take
+  /// Of its random graph with 300 vertices and seed 2, by effort: recorded with g++ 12.2, the same
+  /// with every compiler and on every machine.
+  std::array<std::string, 2> hashes;
   std::uint32_t max_degree() const { return row.guarantee.max_degree; }
 };
 
@@ -35,6 +40,7 @@ inline Drawing compact_zones_by_scans(const Graph& graph) {
   compact::Census census;
   const auto strip = compact::fill_zones(graph, links, RandomStream(1), census, false);
   Drawing drawing = compact::lift(graph, links, strip.placement());
+  drawing.counters = {{"scans", census.scans}};
   drawing.instance_bound = compact::box_of(strip.size());
   return drawing;
 }
@@ -53,7 +59,8 @@ inline const StripAlgorithm& compact_strips() {
                       const strips::Tightness& first) { return compact::draw_from(graph, first); },
       .draw_by_scans = compact_zones_by_scans,
       .too_tight = {.cells = 25, .rows = 60},
-      .volume_per_n_1_5 = 8000};
+      .volume_per_n_1_5 = 8000,
+      .hashes = {"d813043e7bd7b2317bffc5277acc45af", "aabf22af98398fd3928258bf767b90b6"}};
   return algorithm;
 }
 
@@ -65,6 +72,7 @@ inline Drawing compact_120_zones_by_scans(const Graph& graph) {
   const auto strip = compact_120::fill_zones(compact_120::in_levels(graph, order), links,
                                              graph.num_edges(), RandomStream(1), census, false);
   Drawing drawing = compact_120::lift(graph, strip);
+  drawing.counters = {{"scans", census.scans}};
   drawing.instance_bound = compact_120::box_of(strip.size());
   return drawing;
 }
@@ -85,7 +93,8 @@ inline const StripAlgorithm& compact_120_strips() {
           },
       .draw_by_scans = compact_120_zones_by_scans,
       .too_tight = {.cells = 10, .rows = 60, .extra_columns = 0},
-      .volume_per_n_1_5 = 3000};
+      .volume_per_n_1_5 = 3000,
+      .hashes = {"1a12a894c58eb1e68964dcc9748b9916", "710a4ec6aaa310ae2e5a9453063e3974"}};
   return algorithm;
 }
 
@@ -127,12 +136,49 @@ inline std::string strip_fault(const StripAlgorithm& algorithm, const Graph& gra
   return "";
 }
 
-/// A counter of a drawing; -1 if it has none of that name.
-inline std::int64_t count_of(const Drawing& drawing, const std::string& name) {
-  for (const Counter& c : drawing.counters) {
-    if (c.name == name) return c.value;
+/// Expects that the proof's zones keep the theorem's box for graphs of every size, with 1 to `most`
+/// zones, which are as large as each other or as different as can be.
+/// @param size_of  of the strip with zones of these sizes. @param dense  below it, every n.
+template <class SizeOf, class BoxOf>
+void expect_zones_fit(const StripAlgorithm& algorithm, std::int64_t most, std::int64_t dense,
+                      SizeOf size_of, BoxOf box_of) {
+  RandomStream random(3);
+  for (std::int64_t n = 1; n <= std::int64_t{compact::kMaxVertices};) {
+    for (std::int64_t zones = 1; zones <= std::min(most, n); zones += 1 + zones / 8) {
+      for (const bool even : {true, false}) {
+        std::vector<std::int64_t> sizes(static_cast<std::size_t>(zones), even ? n / zones : 1);
+        sizes[0] = n - (zones - 1) * sizes.back();
+        EXPECT_TRUE(algorithm.row.guarantee.bound.holds(box_of(size_of(sizes, n)),
+                                                        static_cast<std::uint64_t>(n)))
+            << n << " vertices, " << zones << " zones";
+      }
+    }
+    n = n < dense ? n + 1 : n + n / 50 + random.below(7);
   }
-  return -1;
+}
+
+/// Expects that no more of the sites of v's zone are closed than the proof counts, and fewer than
+/// there are; places v at the first one that is open.
+template <class Strip, class Site>
+void expect_few_closed(Strip& strip, Vertex v, const std::vector<Site>& sites, std::int64_t most) {
+  std::vector<Site> open;
+  std::ranges::copy_if(sites, std::back_inserter(open),
+                       [&](const Site& site) { return strip.fits(v, site); });
+  ASSERT_LE(static_cast<std::int64_t>(sites.size() - open.size()), most);
+  ASSERT_GT(static_cast<std::int64_t>(sites.size()), most);
+  ASSERT_TRUE(strip.try_place(v, open.at(0)));
+}
+
+/// Expects that a vertex's place and lines are free again once it is taken away.
+template <class Strip>
+void expect_gives_back(Strip& strip, Vertex n) {
+  for (Vertex v = 0; v < n; ++v) {
+    const auto site = strip.site(v);
+    EXPECT_FALSE(strip.fits((v + 1) % n, site));
+    strip.remove(v);
+    EXPECT_FALSE(strip.is_placed(v));
+    ASSERT_TRUE(strip.try_place(v, site)) << "the edges' first variants may differ, but one fits";
+  }
 }
 
 /// Tests of both algorithms, each named after it.
