@@ -19,14 +19,8 @@ namespace {
 
 constexpr int kHighestEffort = 2;
 
-void refuse_bad_input(const Graph& graph, const Options& options) {
-  check_effort("diamond", options.effort, kHighestEffort);
-  refuse_larger_degrees("diamond", graph, 4);
-  refuse_more_vertices("diamond", graph, kMaxVertices);
-}
-
-/// Value of the counter `mode`.
-enum class Mode { guaranteed = 0, alternating = 1, pairs = 2, joint = 3, annealed = 4 };
+// Values of the counter `mode`.
+constexpr std::int64_t kGuaranteed = 0, kAlternating = 1, kPairs = 2, kJoint = 3, kAnnealed = 4;
 
 struct ModeCandidate {
   Placement placement;
@@ -45,14 +39,14 @@ Volume volume(const ModeCandidate& candidate) {
   return product;
 }
 
-std::optional<ModeCandidate> parity_candidate(const Graph& graph, Mode mode,
+std::optional<ModeCandidate> parity_candidate(const Graph& graph, std::int64_t mode,
                                               std::optional<ParityPlacement> placed) {
   if (!placed) return std::nullopt;
   ModeCandidate result;
   result.placement = std::move(placed->placement);
   result.tracks = choose_tracks(graph, result.placement);
   if (!fits_theorem_box(result.tracks.extents, graph.num_vertices())) return std::nullopt;
-  result.counters = {{"mode", static_cast<std::int64_t>(mode)},
+  result.counters = {{"mode", mode},
                      {"m_green", count_cycles(result.placement.green)},
                      {"m_red", count_cycles(result.placement.red)},
                      {"hits", placed->hits}};
@@ -60,10 +54,9 @@ std::optional<ModeCandidate> parity_candidate(const Graph& graph, Mode mode,
 }
 
 /// Alternating parity; nothing if it passes the theorem's box.
-std::optional<ModeCandidate> alternating(const Graph& graph, Items green, Items red, Mode mode) {
-  return parity_candidate(
-      graph, mode,
-      place_by_parity(graph, std::move(green), std::move(red), ParityPattern::alternating));
+std::optional<ModeCandidate> alternating(const Graph& graph, Items green, Items red,
+                                         std::int64_t mode) {
+  return parity_candidate(graph, mode, place_alternating(graph, std::move(green), std::move(red)));
 }
 
 bool fits(const std::array<std::int64_t, 3>& extents, const std::array<std::int64_t, 3>& bound) {
@@ -83,21 +76,15 @@ void keep_smaller(ModeCandidate& best, std::optional<ModeCandidate> other) {
 
 /// Always fits the theorem's box (n >= 1).
 ModeCandidate guaranteed_candidate(const Graph& graph, Items green, Items red) {
-  GuaranteedPlacement placed = place_guaranteed(graph, std::move(green), std::move(red));
-  const GapCount& gaps = placed.gaps;
   ModeCandidate result;
-  result.placement = std::move(placed.placement);
+  GapCount gaps;
+  std::tie(result.placement, gaps) = place_guaranteed(graph, std::move(green), std::move(red));
   result.tracks = choose_tracks(graph, result.placement);
-  result.counters = {{"mode", static_cast<std::int64_t>(Mode::guaranteed)},
-                     {"m_green", gaps.m_green},
-                     {"m_red", gaps.m_red},
-                     {"contained", gaps.contained},
-                     {"rho", gaps.rho},
-                     {"green_gaps", gaps.green_gaps},
-                     {"red_gaps", gaps.red_gaps},
-                     {"bumps", gaps.bumps},
-                     {"offsets", gaps.offsets},
-                     {"H", gaps.H()}};
+  result.counters = {{"mode", kGuaranteed},       {"m_green", gaps.m_green},
+                     {"m_red", gaps.m_red},       {"contained", gaps.contained},
+                     {"rho", gaps.rho},           {"green_gaps", gaps.green_gaps},
+                     {"red_gaps", gaps.red_gaps}, {"bumps", gaps.bumps},
+                     {"offsets", gaps.offsets},   {"H", gaps.H()}};
   if (graph.num_vertices() >= 2) {
     const std::int64_t n = graph.num_vertices();
     const std::int64_t side = 4 * n + 2 * gaps.H();
@@ -110,18 +97,17 @@ ModeCandidate guaranteed_candidate(const Graph& graph, Items green, Items red) {
 /// rotation, and annealed parity with and without it.
 ModeCandidate smallest(const Graph& graph, const Items& green, const Items& red) {
   ModeCandidate best = guaranteed_candidate(graph, green, red);
-  keep_smaller(best, alternating(graph, green, red, Mode::alternating));
-  keep_smaller(best, parity_candidate(graph, Mode::pairs,
-                                      place_by_parity(graph, green, red, ParityPattern::pairs)));
+  keep_smaller(best, alternating(graph, green, red, kAlternating));
+  keep_smaller(best, parity_candidate(graph, kPairs, place_in_pairs(graph, green, red)));
   const auto anneal = [&](const Items& g, const Items& r) {
-    keep_smaller(best, parity_candidate(graph, Mode::annealed,
+    keep_smaller(best, parity_candidate(graph, kAnnealed,
                                         place_by_parity(graph, g, r, annealed_parity(g, r))));
   };
   anneal(green, red);
   Items rotated_green = green;
   Items rotated_red = red;
   if (rotate_jointly(rotated_green, rotated_red)) {
-    keep_smaller(best, alternating(graph, rotated_green, rotated_red, Mode::joint));
+    keep_smaller(best, alternating(graph, rotated_green, rotated_red, kJoint));
     anneal(rotated_green, rotated_red);
   }
   return best;
@@ -144,7 +130,7 @@ ModeCandidate choose(const Graph& graph, int effort) {
   auto [green, red] = items_of(graph);
   if (effort == 2) return smallest(graph, green, red);
   if (effort == 1) {
-    auto compact = alternating(graph, std::move(green), std::move(red), Mode::alternating);
+    auto compact = alternating(graph, std::move(green), std::move(red), kAlternating);
     if (compact) return std::move(*compact);
     std::tie(green, red) = items_of(graph);  // found again rather than kept: no input needed them
   }
@@ -154,7 +140,9 @@ ModeCandidate choose(const Graph& graph, int effort) {
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
-  refuse_bad_input(graph, options);
+  check_effort("diamond", options.effort, kHighestEffort);
+  refuse_larger_degrees("diamond", graph, 4);
+  refuse_more_vertices("diamond", graph, kMaxVertices);
   ModeCandidate chosen = choose(graph, options.effort);
   expect(graph.num_vertices() == 0 || fits_theorem_box(chosen.tracks.extents, graph.num_vertices()),
          "the drawing keeps the theorem's box");

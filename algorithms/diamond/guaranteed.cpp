@@ -12,19 +12,19 @@ namespace {
 
 // Coordinates here are x = X/2 and y = Y/2 until the last step.
 
-std::uint32_t threads_of(const Items& items) { return threads_for(items.vertex.size()); }
-
 /// Calls set(at[v], position, item) for every vertex, in threads.
 template <class Set>
 void set_points(const Items& items, PlanePoints& at, const Set& set) {
   const std::vector<Vertex>& order = items.vertex;
-  for_ranges_in_threads(
-      threads_of(items), order.size(), [&](std::uint32_t, std::size_t begin, std::size_t end) {
-        for_each_position(items, begin, end, [&](std::uint32_t p, std::uint32_t item) {
-          if (p + kAhead < order.size()) __builtin_prefetch(&at[order[p + kAhead]], 1);
-          set(at[order[p]], p, item);
-        });
-      });
+  for_ranges_in_threads(threads_for(order.size()), order.size(),
+                        [&](std::uint32_t, std::size_t begin, std::size_t end) {
+                          for_each_position(items, begin, end,
+                                            [&](std::uint32_t p, std::uint32_t item) {
+                                              if (p + kAhead < order.size())
+                                                __builtin_prefetch(&at[order[p + kAhead]], 1);
+                                              set(at[order[p]], p, item);
+                                            });
+                        });
 }
 
 /// Step 1.4. Neighbouring lines, but for a free one at each bad boundary of the green order.
@@ -148,10 +148,9 @@ class RedStack {
 
 }  // namespace
 
-GuaranteedPlacement place_guaranteed(const Graph& graph, Items green, Items red) {
-  GuaranteedPlacement result;
-  Placement& placement = result.placement;
-  GapCount& gaps = result.gaps;
+std::pair<Placement, GapCount> place_guaranteed(const Graph& graph, Items green, Items red) {
+  std::pair<Placement, GapCount> result;
+  auto& [placement, gaps] = result;
   auto& at = placement.at;
   at.resize(graph.num_vertices());
   gaps.m_green = count_cycles(green);
@@ -175,10 +174,11 @@ GuaranteedPlacement place_guaranteed(const Graph& graph, Items green, Items red)
   gaps.red_gaps = std::count(bad.begin(), bad.end(), true);
   RedStack stack(placement.red, order, natural_begin, cycles, natural);
   gaps.offsets = stack.stack(closings, bad, at);
+  const std::vector<std::uint32_t>& begin = placement.red.begin;
   set_points(placement.red, at, [&](PlanePoint& point, std::uint32_t p, std::uint32_t item) {
-    point = {2 * point.X, 2 * stack.y(item, p - placement.red.begin[item])};
+    point = {2 * point.X, 2 * stack.y(item, p - begin[item])};
   });
-  expect_heavy([&] { return keeps_invariants(graph, placement); },
+  expect_heavy([&] { return keeps_invariants(graph, result.first); },
                "the guaranteed placement is right");
   return result;
 }

@@ -3,6 +3,8 @@
 // Theorem 1, guaranteed mode: even coordinates and few gaps, hence the box 16n/3 x 16n/3 x 8n.
 // Paper, Section 2. Coordinates of cycles.cpp are x = X/2 and y = Y/2.
 
+#include <utility>
+
 #include "ar3d/algorithms/diamond/placement.h"
 
 namespace ar3d::diamond {
@@ -86,12 +88,8 @@ struct GapCount {
   std::int64_t H() const { return green_gaps + bumps + offsets; }
 };
 
-struct GuaranteedPlacement {
-  Placement placement;  ///< all coordinates even
-  GapCount gaps;
-};
-
 /// @param green,red  the items of a two-colouring of the graph's edges. Cost: O(n).
-GuaranteedPlacement place_guaranteed(const Graph& graph, Items green, Items red);
+/// @return a placement with all coordinates even, and its gaps.
+std::pair<Placement, GapCount> place_guaranteed(const Graph& graph, Items green, Items red);
 
 }  // namespace ar3d::diamond

@@ -10,21 +10,20 @@
 
 namespace ar3d::diamond {
 
-/// The parity classes p(v) = X(v) mod 2 = Y(v) mod 2 along the green order, by rank.
-enum class ParityPattern {
-  alternating,  ///< 0 1 0 1: X takes neighbouring lines, so its range is n - 1
-  pairs,        ///< 0 0 1 1: no two vertices two apart have |dX| = 2; good with many triangles
-};
-
 struct ParityPlacement {
   Placement placement;
   std::int64_t hits = 0;  ///< lines skipped because an apex would have fallen on a turn
 };
 
-/// @return nothing if the Y range passes 16n/3, which would put the drawing's x- or y-extent beyond
-/// it. Cost: O(n).
-std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, Items red,
-                                               ParityPattern pattern);
+// All return nothing if the Y range passes 16n/3, which would put the drawing's x- or y-extent
+// beyond it. Cost: O(n). The parity class of v is p(v) = X(v) mod 2 = Y(v) mod 2.
+
+/// Places with the classes 0 1 0 1 along the green order: X takes neighbouring lines, so its range
+/// is n - 1.
+std::optional<ParityPlacement> place_alternating(const Graph& graph, Items green, Items red);
+
+/// Places with 0 0 1 1: no two vertices two apart have |dX| = 2; good with many triangles.
+std::optional<ParityPlacement> place_in_pairs(const Graph& graph, Items green, Items red);
 
 /// @param parity  p(v) by vertex, 0 or 1.
 std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, Items red,

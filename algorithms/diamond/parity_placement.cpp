@@ -172,10 +172,9 @@ std::optional<ParityPlacement> finish(const Graph& graph, ParityPlacement result
   return result;
 }
 
-}  // namespace
-
-std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, Items red,
-                                               ParityPattern pattern) {
+/// @param x_of  X by rank in the green order.
+template <class XOf>
+std::optional<ParityPlacement> place_by_rank(const Graph& graph, Items green, Items red, XOf x_of) {
   ParityPlacement result{{std::move(green), std::move(red), {}}, 0};
   const auto& order = result.placement.green.vertex;
   PlanePoints& at = result.placement.at;
@@ -184,12 +183,22 @@ std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, 
   for_ranges_in_threads(
       threads, order.size(), [&](std::uint32_t, std::size_t begin, std::size_t end) {
         for_each_ahead(order, at, begin, end, [&](std::size_t i, PlanePoint& point) {
-          const auto rank = static_cast<std::int32_t>(i);
-          point = {pattern == ParityPattern::alternating ? rank : rank / 2 * 3 + rank % 2 * 2,
-                   kNotYet};
+          point = {x_of(static_cast<std::int32_t>(i)), kNotYet};
         });
       });
   return finish(graph, std::move(result));
+}
+
+}  // namespace
+
+std::optional<ParityPlacement> place_alternating(const Graph& graph, Items green, Items red) {
+  return place_by_rank(graph, std::move(green), std::move(red),
+                       [](std::int32_t rank) { return rank; });
+}
+
+std::optional<ParityPlacement> place_in_pairs(const Graph& graph, Items green, Items red) {
+  return place_by_rank(graph, std::move(green), std::move(red),
+                       [](std::int32_t rank) { return rank / 2 * 3 + rank % 2 * 2; });
 }
 
 std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, Items red,

@@ -60,17 +60,6 @@ Drawing to_drawing(const Graph& graph, Planes planes) {
   return drawing;
 }
 
-SizeBound proved_bound() {
-  const AxisBound axis = linear(5600) + 3700;
-  return {"proved here", "docs/theorem3.md", {axis, axis, axis}};
-}
-
-/// The paper states O(n^3) per side without a constant; 1 stands for it.
-SizeBound paper_bound() {
-  const AxisBound axis = cubic(1);
-  return {"paper; order only, constant 1 assumed", "Theorem 3", {axis, axis, axis}};
-}
-
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
@@ -86,22 +75,26 @@ Drawing draw(const Graph& graph, const Options& options) {
 }
 
 Algorithm row() {
-  Guarantee guarantee;
-  guarantee.max_degree = 3;
-  guarantee.max_bends = 3;
-  guarantee.angle_rule = AngleRule::exactly;
-  guarantee.cosine = {-1, 2};
-  guarantee.lattice = kCubeLattice;
-  guarantee.directions = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}};
-  guarantee.bound = proved_bound();
-  guarantee.published = {paper_bound()};
-  return {
-      "grid",
-      "degree at most 3, at most 3 bends per edge, all angles 120 degrees, O(n) per side",
-      "Theorem 3",
-      std::move(guarantee),
-      {effort_option(kHighestEffort, "0: the proved core; 1: flat numbers where that is possible")},
-      draw_with_effort<draw>};
+  const AxisBound own = linear(5600) + 3700;
+  const AxisBound paper = cubic(1);  // O(n^3) is stated without a constant; 1 stands for it
+  Algorithm row;
+  row.name = "grid";
+  row.summary = "degree at most 3, at most 3 bends per edge, all angles 120 degrees, O(n) per side";
+  row.source = "Theorem 3";
+  row.guarantee = {
+      .max_degree = 3,
+      .max_bends = 3,
+      .angle_rule = AngleRule::exactly,
+      .cosine = {-1, 2},
+      .lattice = kCubeLattice,
+      .directions = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}},
+      .bound = {"proved here", "docs/theorem3.md", {own, own, own}},
+      .published = {{"paper; order only, constant 1 assumed", "Theorem 3", {paper, paper, paper}}},
+  };
+  row.options = {
+      effort_option(kHighestEffort, "0: the proved core; 1: flat numbers where that is possible")};
+  row.draw = draw_with_effort<draw>;
+  return row;
 }
 
 }  // namespace ar3d::grid

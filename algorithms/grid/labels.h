@@ -43,7 +43,6 @@ class EdgeLabels {
   }
   /// Asks for the memory of e's labels before they are needed.
   void ask_for(EdgeId e) const { __builtin_prefetch(&both_[e], 1); }
-  std::size_t size() const { return both_.size(); }
 
  private:
   static unsigned shift(Vertex v, Vertex to) { return v < to ? 0 : 4; }

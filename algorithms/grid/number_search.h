@@ -71,7 +71,6 @@ struct SumRule {
 struct NumberRange {
   std::int64_t low = 0;
   std::int64_t high = -1;
-  bool empty() const { return high < low; }
   std::int64_t length() const { return high - low + 1; }
 };
 

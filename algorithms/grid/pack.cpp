@@ -19,24 +19,12 @@ __extension__ using Int128 = __int128;
 
 constexpr std::int64_t kUnit = 6;  // moves by it along an axis change plane numbers by 1
 
-/// A component's box in units: it covers [low, low + size) on every axis, bends included.
-struct Parcel {
-  Point low;
-  Point size;
-};
+/// A component's box in units: it covers [low, high) on every axis, bends included.
+using Parcel = Box;
 
-std::int64_t floor_unit(std::int64_t x) { return (x >= 0 ? x : x - (kUnit - 1)) / kUnit; }
-
-void include(Box& box, Point p) {
-  box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-  box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-}
-
-Parcel parcel_of(const Box& box) {
-  const Point low = {floor_unit(box.low.x), floor_unit(box.low.y), floor_unit(box.low.z)};
-  return {low,
-          {floor_unit(box.high.x) + 1 - low.x, floor_unit(box.high.y) + 1 - low.y,
-           floor_unit(box.high.z) + 1 - low.z}};
+Point floor_units(Point p) {
+  const auto floor = [](std::int64_t x) { return (x >= 0 ? x : x - (kUnit - 1)) / kUnit; };
+  return {floor(p.x), floor(p.y), floor(p.z)};
 }
 
 class Packer {
@@ -60,19 +48,18 @@ class Packer {
   }
 
   Parcel measure(std::size_t part) {
-    const Point first = position(planes_.of[vertices(part).front()]);
-    Box box{first, first};
+    GrowingBox box;
     for (const Vertex v : vertices(part)) {
       const Point at_v = position(planes_.of[v]);
-      include(box, at_v);
+      box.add(at_v);
       for (const HalfEdge& half : graph_.incident(v)) {
         if (half.to < v) continue;
         bends_.clear();
         routes_.append_bends(half.edge, {v, half.to}, at_v, position(planes_.of[half.to]), bends_);
-        for (const Point bend : bends_) include(box, bend);
+        for (const Point bend : bends_) box.add(bend);
       }
     }
-    return parcel_of(box);
+    return {floor_units(box.low()), floor_units(box.high()) + Vector{1, 1, 1}};
   }
 
   /// The side of the layers: every parcel fits, and together they would fill about one layer.
@@ -80,8 +67,9 @@ class Packer {
     std::int64_t side = 1;
     Int128 area = 0;
     for (const Parcel& parcel : parcels_) {
-      side = std::max({side, parcel.size.y, parcel.size.z});
-      area += static_cast<Int128>(parcel.size.y) * parcel.size.z;
+      const auto [thickness, length, width] = parcel.extents();
+      side = std::max({side, length, width});
+      area += static_cast<Int128>(length) * width;
     }
     std::int64_t too_small = 0;
     std::int64_t enough = 1;
@@ -98,9 +86,9 @@ class Packer {
     std::vector<std::size_t> sorted(parcels_.size());
     std::iota(sorted.begin(), sorted.end(), std::size_t{0});
     std::ranges::stable_sort(sorted, [&](std::size_t i, std::size_t j) {
-      const Point a = parcels_[i].size;
-      const Point b = parcels_[j].size;
-      return a.x != b.x ? a.x > b.x : a.z > b.z;
+      const auto a = parcels_[i].extents();
+      const auto b = parcels_[j].extents();
+      return a[0] != b[0] ? a[0] > b[0] : a[2] > b[2];
     });
     const std::int64_t side = layer_side();
     std::vector<Point> at(parcels_.size());
@@ -108,16 +96,16 @@ class Packer {
     std::int64_t layer = 0;  // thickness of the present layer
     std::int64_t row = 0;    // width of the present row
     for (const std::size_t i : sorted) {
-      const Point size = parcels_[i].size;
-      if (next.y + size.y > side) next = {next.x, 0, next.z + std::exchange(row, std::int64_t{0})};
-      if (next.z + size.z > side) {
+      const auto [thickness, length, width] = parcels_[i].extents();
+      if (next.y + length > side) next = {next.x, 0, next.z + std::exchange(row, std::int64_t{0})};
+      if (next.z + width > side) {
         next = {next.x + std::exchange(layer, std::int64_t{0}), 0, 0};
         row = 0;
       }
       at[i] = next;
-      next.y += size.y;
-      row = std::max(row, size.z);
-      layer = std::max(layer, size.x);
+      next.y += length;
+      row = std::max(row, width);
+      layer = std::max(layer, thickness);
     }
     return at;
   }

@@ -17,20 +17,12 @@ Coordinates4 four(Point p) {
 }
 Point cartesian(const Coordinates4& x) { return {x[0] + x[1], x[0] + x[2], x[1] + x[2]}; }
 
-/// A walk along directions e_head - e_tail.
-class Walk {
- public:
-  explicit Walk(Point start) : at_(four(start)) {}
-  /// The bend after `length` steps.
-  Point go(unsigned head, unsigned tail, std::int64_t length) {
-    at_[head] += length;
-    at_[tail] -= length;
-    return cartesian(at_);
-  }
-
- private:
-  Coordinates4 at_;
-};
+/// Walks `length` steps along e_head - e_tail. @return the bend there.
+Point go(Coordinates4& at, unsigned head, unsigned tail, std::int64_t length) {
+  at[head] += length;
+  at[tail] -= length;
+  return cartesian(at);
+}
 
 using Bends = std::array<Point, 3>;
 
@@ -39,14 +31,13 @@ using Bends = std::array<Point, 3>;
 Bends u_edge(Colour c, Point upper, Point lower, std::int64_t least_last) {
   const Colour p = next(c);
   const Colour q = previous(c);
-  const Coordinates4 a = four(upper);
+  Coordinates4 at = four(upper);
   const Coordinates4 b = four(lower);
-  const std::int64_t dp = b[p] - a[p];
-  const std::int64_t dq = b[q] - a[q];
+  const std::int64_t dp = b[p] - at[p];
+  const std::int64_t dq = b[q] - at[q];
   const std::int64_t l1 = dp > 0 && dq <= 0 ? 4 - dq : 1;
   const std::int64_t l4 = (dp <= 0 ? 3 - dp : 0) + least_last;
-  Walk walk(upper);
-  return {walk.go(p, q, l1), walk.go(p, kFourth, dp - l1 + l4), walk.go(q, kFourth, dq + l1 - l4)};
+  return {go(at, p, q, l1), go(at, p, kFourth, dp - l1 + l4), go(at, q, kFourth, dq + l1 - l4)};
 }
 
 // A defect (u: alpha, v: beta) with alpha = beta + 1, from u to v, in the paper's sense "no common
@@ -58,9 +49,9 @@ Bends defect_nt(Colour alpha, Point from, Point to, std::int64_t first) {
   const Colour gamma = next(alpha);
   const Coordinates4 u = four(from);
   const Coordinates4 v = four(to);
-  Walk walk(from);
-  return {walk.go(gamma, beta, first), walk.go(gamma, kFourth, u[kFourth] - v[kFourth]),
-          walk.go(gamma, beta, u[beta] - v[beta] - first)};
+  Coordinates4 at = u;
+  return {go(at, gamma, beta, first), go(at, gamma, kFourth, u[kFourth] - v[kFourth]),
+          go(at, gamma, beta, u[beta] - v[beta] - first)};
 }
 
 /// E > 0 with slot k: (gamma,beta) a, (4,beta) 3B - a, (4,alpha) 3A - d, (gamma,alpha) d with
@@ -72,9 +63,9 @@ Bends defect_pq(Colour alpha, Point from, Point to, std::int64_t k) {
   const Coordinates4 v = four(to);
   const std::int64_t first = 3 * k + 1 - u[gamma];
   const std::int64_t last = v[gamma] - u[gamma] - first;
-  Walk walk(from);
-  return {walk.go(gamma, beta, first), walk.go(kFourth, beta, u[beta] - v[beta] - first),
-          walk.go(kFourth, alpha, u[alpha] - v[alpha] - last)};
+  Coordinates4 at = u;
+  return {go(at, gamma, beta, first), go(at, kFourth, beta, u[beta] - v[beta] - first),
+          go(at, kFourth, alpha, u[alpha] - v[alpha] - last)};
 }
 
 }  // namespace

@@ -34,8 +34,7 @@ void DrawingBuilder::end_component(const std::vector<Vertex>& vertices) {
       visit(at_[v]);
       for (const HalfEdge half : graph_.incident(v)) {
         if (graph_.edge(half.edge).u != v) continue;
-        EdgeBends& bends = bends_[half.edge];
-        for (std::size_t i = 0; i < bends.count; ++i) visit(bends.at[i]);
+        for (SkewPoint& bend : bends_[half.edge]) visit(bend);
       }
     }
   };
@@ -59,9 +58,8 @@ void DrawingBuilder::route(Vertex from, Vertex to, std::initializer_list<SkewPoi
   const auto half = std::ranges::find(incident, to, &HalfEdge::to);
   expect(half != incident.end(), "a route belongs to an edge");
   EdgeBends& kept = bends_[half->edge];
-  std::copy(bends.begin(), bends.end(), kept.at.begin());
-  kept.count = static_cast<std::uint8_t>(bends.size());
-  if (from > to) std::reverse(kept.at.begin(), kept.at.begin() + kept.count);
+  kept.assign(bends.begin(), bends.end());
+  if (from > to) std::reverse(kept.begin(), kept.end());
   for (const SkewPoint& p : bends) front_ = std::max(front_, p.y);
 }
 
@@ -78,7 +76,7 @@ Drawing DrawingBuilder::finish() {
   std::vector<Point> of_edge;
   for (const EdgeBends& kept : bends_) {
     of_edge.clear();
-    for (std::size_t i = 0; i < kept.count; ++i) of_edge.push_back(add(kept.at[i]));
+    for (const SkewPoint& p : kept) of_edge.push_back(add(p));
     bends->add_edge(of_edge);
   }
   for (const SkewPoint& p : at_) add(p);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -75,10 +75,7 @@ class DrawingBuilder {
 
  private:
   enum class VertexKind : std::uint8_t { outside, tree, cycle };
-  struct EdgeBends {
-    std::array<SkewPoint, 3> at;
-    std::uint8_t count = 0;
-  };
+  using EdgeBends = boost::container::static_vector<SkewPoint, 3>;
   static constexpr std::int64_t kNoPlane = -1;
 
   bool is_drawn(Vertex v) const { return kind_[v] != VertexKind::outside; }

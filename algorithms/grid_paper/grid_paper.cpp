@@ -24,7 +24,7 @@ Drawing draw(const Graph& graph, const Options& options, const RepairSwitches& r
   refuse_larger_degrees("grid-paper", graph, 3);
   refuse_more_vertices("grid-paper", graph, kMostVertices);
   DrawingBuilder builder(graph, options, repairs);
-  for (const ComponentGrowth& component : grow(graph, options.cycle, repairs)) {
+  for (const ComponentGrowth& component : grow(graph, options.any_cycle, repairs)) {
     builder.begin_component();
     for (const GrowthStage& stage : component.stages) {
       if (!stage.cycle.empty()) builder.add_cycle(stage);
@@ -69,8 +69,7 @@ Algorithm row() {
           .draw =
               [](const Graph& graph, const Settings& values) {
                 return draw(graph, {static_cast<Spread>(value_of(values, "spread")),
-                                    static_cast<Gap>(value_of(values, "gap")),
-                                    static_cast<CycleChoice>(value_of(values, "cycle"))});
+                                    value_of(values, "gap") != 0, value_of(values, "cycle") != 0});
               },
           .by_name_only = true};
 }

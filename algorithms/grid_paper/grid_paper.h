@@ -15,21 +15,15 @@ enum class Spread : std::uint8_t {
   conditional,  ///< as near as can be, and as columns where that touches what is drawn (the text)
   least,        ///< the nearest place that touches nothing
 };
-/// Says how high above what is drawn the next cycle lies (Step G.6).
-enum class Gap : std::uint8_t {
-  any,     ///< room for whatever connection there could be (the text)
-  needed,  ///< room for the connections that there are
-};
-/// Says which chordless cycle is drawn next (Step G.2).
-enum class CycleChoice : std::uint8_t {
-  shortest,
-  any,  ///< the first that a walk closes: linear time each
-};
 
 struct Options {
   Spread spread = Spread::conditional;
-  Gap gap = Gap::any;
-  CycleChoice cycle = CycleChoice::shortest;
+  /// How high above what is drawn the next cycle lies (Step G.6): with room for the connections that
+  /// there are, else for whatever connection there could be (the text).
+  bool needed_gap = false;
+  /// Which chordless cycle is drawn next (Step G.2): the first that a walk closes, in linear time
+  /// each, else a shortest one.
+  bool any_cycle = false;
 };
 
 /// Largest number of vertices: Lemma G.5 keeps every coordinate, and sum of two, below 2^61.

@@ -19,9 +19,9 @@ constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
 
 class ClosureGrower {
  public:
-  ClosureGrower(const Graph& graph, CycleChoice choice, const RepairSwitches& repairs)
+  ClosureGrower(const Graph& graph, bool any_cycle, const RepairSwitches& repairs)
       : graph_(graph),
-        choice_(choice),
+        any_cycle_(any_cycle),
         gone_(graph.num_vertices()),
         degree_(graph.num_vertices()),
         place_(graph.num_vertices(), kNowhere),
@@ -48,9 +48,8 @@ class ClosureGrower {
       if (!gone_[v] && degree_[v] == 3) candidates_.push({3, v});
     }
     while (left > 0) {
-      keep(next_stage(choice_ == CycleChoice::shortest && !random_
-                          ? shortest_cycle(component.vertices)
-                          : cycle_by_walk(component.vertices)));
+      keep(next_stage(any_cycle_ || random_ ? cycle_by_walk(component.vertices)
+                                            : shortest_cycle(component.vertices)));
     }
   }
 
@@ -151,7 +150,7 @@ class ClosureGrower {
   }
 
   const Graph& graph_;
-  CycleChoice choice_;
+  bool any_cycle_;
   std::optional<RandomStream> random_;
   std::vector<bool> gone_;             // not outside any more
   std::vector<std::uint32_t> degree_;  // neighbours outside
@@ -164,14 +163,14 @@ class ClosureGrower {
 
 }  // namespace
 
-std::vector<ComponentGrowth> grow(const Graph& graph, CycleChoice choice,
+std::vector<ComponentGrowth> grow(const Graph& graph, bool any_cycle,
                                   const RepairSwitches& repairs) {
   const Components found = connected_components_of(graph);
   std::vector<ComponentGrowth> components(found.count);
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     components[found.of[v]].vertices.push_back(v);
   }
-  ClosureGrower grower(graph, choice, repairs);
+  ClosureGrower grower(graph, any_cycle, repairs);
   for (ComponentGrowth& component : components) grower.grow(component);
   return components;
 }

@@ -23,8 +23,8 @@ struct ComponentGrowth {
 };
 
 /// Steps G.1 and G.2: components in the order of their least vertices. Cost: that of the cycles,
-/// and O(n log n).
-std::vector<ComponentGrowth> grow(const Graph& graph, CycleChoice choice,
+/// and O(n log n). @param any_cycle  of the options.
+std::vector<ComponentGrowth> grow(const Graph& graph, bool any_cycle,
                                   const RepairSwitches& repairs);
 
 }  // namespace ar3d::grid_paper

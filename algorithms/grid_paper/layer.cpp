@@ -73,8 +73,8 @@ std::int64_t DrawingBuilder::height_of_layer(const std::vector<Vertex>& cycle) c
     longest = std::max(longest, way_back(v, *w));
     through += is_drawn(u) ? 0 : 1;
   }
-  if (options_.gap == Gap::needed && longest == 0) return old_top_ + 4;  // no connection
-  const std::int64_t need = options_.gap == Gap::needed ? longest : old_front_ + 1 - left_;
+  if (options_.needed_gap && longest == 0) return old_top_ + 4;  // no connection
+  const std::int64_t need = options_.needed_gap ? longest : old_front_ + 1 - left_;
   return old_top_ + 2 * ((need + 1) / 2) + 2 * through + 6;
 }
 

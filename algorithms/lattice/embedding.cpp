@@ -27,19 +27,18 @@ class Search {
   }
 
   Embedding run() {
-    Embedding result;
     std::uint32_t at = 0;
     while (at < steps_.size()) {
-      if (tries_ > most_tries_) return {Embedding::Outcome::given_up, {}, tries_};
+      if (tries_ > most_tries_) return {true, {}, tries_};
       if (place(at)) {
         if (++at < steps_.size()) begin(at);
         continue;
       }
       const std::uint32_t back = culprit(at);
-      if (back == kNoStep) return {Embedding::Outcome::none, {}, tries_};
+      if (back == kNoStep) return {false, {}, tries_};
       while (at > back) taken_.erase(points_[--at]);
     }
-    result = {Embedding::Outcome::found, std::vector<Point>(steps_.size()), tries_};
+    Embedding result{false, std::vector<Point>(steps_.size()), tries_};
     for (std::size_t i = 0; i < steps_.size(); ++i) result.points[steps_[i].vertex] = points_[i];
     return result;
   }

@@ -26,14 +26,10 @@ std::vector<EarStep> ear_order(const Graph& graph);
 
 /// Holds what a search for an embedding came to.
 struct Embedding {
-  enum class Outcome {
-    found,    ///< `points` has a vertex of the net for every vertex, neighbours at neighbours
-    none,     ///< every way was tried: the graph is no part of the net
-    given_up  ///< too many tries: not decided
-  };
-  Outcome outcome = Outcome::given_up;
-  std::vector<Point> points;
-  std::uint64_t tries = 0;  ///< points that a vertex was tried at
+  bool is_given_up = false;   ///< too many tries: not decided
+  std::vector<Point> points;  ///< a vertex of the net for every vertex, neighbours at neighbours;
+                              ///< none if every way was tried: the graph is no part of the net
+  std::uint64_t tries = 0;    ///< points that a vertex was tried at
 };
 
 /// Searches for a connected graph (n >= 1) as a subgraph of the net, the first vertex at the

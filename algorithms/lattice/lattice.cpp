@@ -59,14 +59,14 @@ std::vector<Point> points_of(const Part& part, const SpaceNet& net) {
   if (!boost::is_bipartite(part.graph)) refuse("has an odd cycle");
   const std::uint64_t most = kFewTries + kTriesEach * part.vertices.size();
   Embedding embedding = embed(part.graph, net, most);
-  if (embedding.outcome == Embedding::Outcome::none) {
-    refuse(fmt::format("is no subgraph of it: all {} tries failed", embedding.tries));
-  }
-  if (embedding.outcome == Embedding::Outcome::given_up) {
+  if (embedding.is_given_up) {
     throw InputError(fmt::format(
         "no place found in the {} for the component of vertex {} ({} vertices) in {} tries; "
         "whether it is a piece is not decided",
         net.name(), part.vertices[0], part.vertices.size(), most));
+  }
+  if (embedding.points.empty()) {
+    refuse(fmt::format("is no subgraph of it: all {} tries failed", embedding.tries));
   }
   return std::move(embedding.points);
 }

@@ -67,8 +67,7 @@ struct Drawn {
     const PaddedNeighbours neighbours = padded_neighbours(graph);
     const TwoColouring colours = two_colouring(graph, neighbours, balanced_orientation(neighbours));
     placement =
-        place_guaranteed(graph, extract_items(colours[kGreen]), extract_items(colours[kRed]))
-            .placement;
+        place_guaranteed(graph, extract_items(colours[kGreen]), extract_items(colours[kRed])).first;
     tracks = choose_tracks(graph, placement);
   }
 };

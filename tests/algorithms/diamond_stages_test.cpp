@@ -152,8 +152,8 @@ TEST(Placements, KeepTheirInvariantsInEveryMode) {
     const auto [guaranteed, gaps] = place_guaranteed(graph, green, red);
     EXPECT_TRUE(keeps_invariants(graph, guaranteed));
     for (const PlanePoint p : guaranteed.at) EXPECT_EQ((p.X | p.Y) & 1, 0);
-    for (const auto pattern : {ParityPattern::alternating, ParityPattern::pairs}) {
-      const auto compact = place_by_parity(graph, green, red, pattern);
+    for (const auto& compact :
+         {place_alternating(graph, green, red), place_in_pairs(graph, green, red)}) {
       EXPECT_TRUE(!compact || keeps_invariants(graph, compact->placement));
     }
     RandomStream random(graph.num_edges(), 3);
@@ -167,7 +167,7 @@ TEST(Placements, KeepTheirInvariantsInEveryMode) {
 TEST(Tracks, TellTheExtentsOfTheDrawing) {
   for (const Graph& graph : sample()) {
     auto [green, red] = items_of(graph);
-    const Placement placement = place_guaranteed(graph, green, red).placement;
+    const Placement placement = place_guaranteed(graph, green, red).first;
     const Tracks tracks = choose_tracks(graph, placement);
     EXPECT_EQ(bounding_box(lift(graph, placement, tracks)).extents(), tracks.extents);
   }

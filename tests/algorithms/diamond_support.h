@@ -5,6 +5,7 @@
 
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/verify/certificate.h"
+#include "support/counters.h"
 
 namespace ar3d::testing {
 
@@ -12,14 +13,6 @@ namespace ar3d::testing {
 inline const std::vector<diamond::Options>& diamond_modes() {
   static const std::vector<diamond::Options> modes = {{.effort = 0}, {.effort = 1}, {.effort = 2}};
   return modes;
-}
-
-/// The counter's value; -1 if the drawing has no such counter.
-inline std::int64_t counter(const Drawing& drawing, const std::string& name) {
-  for (const Counter& c : drawing.counters) {
-    if (c.name == name) return c.value;
-  }
-  return -1;
 }
 
 /// Empty if the drawing is proved right, keeps the theorem's box and, where it claims one, the box
@@ -34,15 +27,20 @@ inline std::string diamond_fault(const Graph& graph, const Drawing& drawing) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (extents[axis] > (*drawing.instance_bound)[axis]) return "wider than the proof's own bound";
   }
-  if (counter(drawing, "mode") == 0 &&
-      counter(drawing, "H") > counter(drawing, "m_green") + counter(drawing, "rho") + 2) {
+  if (counter_of(drawing, "mode") == 0 &&
+      counter_of(drawing, "H") > counter_of(drawing, "m_green") + counter_of(drawing, "rho") + 2) {
     return "H > m_green + rho + 2";
   }
   return "";
 }
 
-inline std::string diamond_fault(const Graph& graph, const diamond::Options& options) {
-  return diamond_fault(graph, diamond::draw(graph, options));
+/// Likewise of all modes, naming the effort.
+inline std::string diamond_fault(const Graph& graph) {
+  for (const diamond::Options& options : diamond_modes()) {
+    const std::string fault = diamond_fault(graph, diamond::draw(graph, options));
+    if (!fault.empty()) return "effort " + std::to_string(options.effort) + ": " + fault;
+  }
+  return "";
 }
 
 }  // namespace ar3d::testing

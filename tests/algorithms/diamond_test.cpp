@@ -47,9 +47,7 @@ std::vector<Named> corner_cases() {
 
 TEST(Diamond, DrawsCornerCasesInEveryMode) {
   for (const auto& [name, graph] : corner_cases()) {
-    for (const diamond::Options& options : diamond_modes()) {
-      EXPECT_EQ(diamond_fault(graph, options), "") << name << ", effort " << options.effort;
-    }
+    EXPECT_EQ(diamond_fault(graph), "") << name;
   }
 }
 
@@ -78,28 +76,29 @@ TEST(Diamond, TheHighestEffortIsNeverLarger) {
 
 TEST(Diamond, GuaranteedModeTellsItsGaps) {
   const Drawing drawing = diamond::draw(disjoint_union({complete(5), octahedron()}), {.effort = 0});
-  EXPECT_EQ(counter(drawing, "mode"), 0);
-  EXPECT_EQ(counter(drawing, "H"), counter(drawing, "green_gaps") + counter(drawing, "bumps") +
-                                       counter(drawing, "offsets"));
+  EXPECT_EQ(counter_of(drawing, "mode"), 0);
+  EXPECT_EQ(counter_of(drawing, "H"), counter_of(drawing, "green_gaps") +
+                                          counter_of(drawing, "bumps") +
+                                          counter_of(drawing, "offsets"));
   ASSERT_TRUE(drawing.instance_bound);
-  EXPECT_EQ((*drawing.instance_bound)[0], 4 * 11 + 2 * counter(drawing, "H"));
-  EXPECT_EQ((*drawing.instance_bound)[2], 6 * 11 + 3 * counter(drawing, "H") - 4);
+  EXPECT_EQ((*drawing.instance_bound)[0], 4 * 11 + 2 * counter_of(drawing, "H"));
+  EXPECT_EQ((*drawing.instance_bound)[2], 6 * 11 + 3 * counter_of(drawing, "H") - 4);
 }
 
 TEST(Diamond, SmallerModesKeepTheBoundOfTheGuaranteedOne) {
   const Graph graph = squared_cycle(100);
   const Drawing proof = diamond::draw(graph, {.effort = 0});
   const Drawing smaller = diamond::draw(graph, {.effort = 2});
-  ASSERT_NE(counter(smaller, "mode"), 0);
+  ASSERT_NE(counter_of(smaller, "mode"), 0);
   ASSERT_TRUE(smaller.instance_bound);
   EXPECT_EQ(*smaller.instance_bound, *proof.instance_bound);
-  EXPECT_EQ(counter(smaller, "H"), counter(proof, "H"));
+  EXPECT_EQ(counter_of(smaller, "H"), counter_of(proof, "H"));
 }
 
 TEST(Diamond, PairsBeatAlternatingParityOnManyTriangles) {
   // Squared cycles put a clash on every line of the alternating mode; pairs 0011 avoid them.
   const Drawing drawing = diamond::draw(squared_cycle(1000), {.effort = 2});
-  EXPECT_EQ(counter(drawing, "mode"), 2);
+  EXPECT_EQ(counter_of(drawing, "mode"), 2);
 }
 
 }  // namespace

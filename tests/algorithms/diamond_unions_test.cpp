@@ -1,7 +1,5 @@
 // Random disjoint unions of graphs that force contained cycles, bumps and offsets, under random
 // names.
-#include <map>
-
 #include "algorithms/diamond_support.h"
 #include "ar3d/base/random.h"
 #include "support/graphs.h"
@@ -31,46 +29,27 @@ Graph random_union(std::uint64_t seed) {
   RandomStream random(seed, 4);
   std::vector<Graph> parts;
   for (std::uint32_t i = 1 + random.below(6); i > 0; --i) {
-    switch (random.below(8)) {
-      case 0:
-        parts.push_back(complete(5));
-        break;
-      case 1:
-        parts.push_back(octahedron());
-        break;
-      case 2:
-        parts.push_back(complete(1 + random.below(4)));
-        break;
-      case 3:
-        parts.push_back(cycle(3 + random.below(6)));
-        break;
-      case 4:
-        parts.push_back(path(1 + random.below(6)));
-        break;
-      case 5:
-        parts.push_back(petersen());
-        break;
-      case 6:
-        parts.push_back(squared_cycle(5 + random.below(8)));
-        break;
-      default:
-        parts.push_back(cycle_through_triangles(2 + random.below(4)));
-        break;
-    }
+    const Graph kinds[] = {complete(5),
+                           octahedron(),
+                           complete(1 + random.below(4)),
+                           cycle(3 + random.below(6)),
+                           path(1 + random.below(6)),
+                           petersen(),
+                           squared_cycle(5 + random.below(8)),
+                           cycle_through_triangles(2 + random.below(4))};
+    parts.push_back(kinds[random.below(8)]);
   }
   return shuffled(disjoint_union(parts), seed);
 }
 
 TEST(DiamondUnions, AreCertifiedAndReachTheRareCases) {
-  std::map<std::string, std::int64_t> total;
+  CounterSums total;
   for (std::uint64_t seed = 0; seed < 1500; ++seed) {
     const Graph graph = random_union(seed);
     for (const diamond::Options& options : diamond_modes()) {
       const Drawing drawing = diamond::draw(graph, options);
       ASSERT_EQ(diamond_fault(graph, drawing), "") << "seed " << seed;
-      if (options.effort == 0) {
-        for (const Counter& c : drawing.counters) total[c.name] += c.value;
-      }
+      if (options.effort == 0) add_counters(drawing, total);
     }
   }
   for (const char* rare : {"contained", "rho", "bumps", "offsets"})

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "algorithms/grid_invariant.h"
@@ -17,51 +16,22 @@
 #include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/algorithms/grid/routes.h"
 #include "ar3d/verify/certificate.h"
+#include "support/counters.h"
 
 namespace ar3d::testing {
 
-/// How often each case of the construction was used.
-struct CaseCounts {
-  std::int64_t nt = 0;
-  std::int64_t pq = 0;
-  std::int64_t last_u = 0;
-  std::int64_t last_m = 0;
-  std::int64_t last_p = 0;
-  std::int64_t flat_defects = 0;
-  std::int64_t core_parts = 0;
-
-  /// The core must have used both clash rules and all three cases of the last edge.
-  void expect_all_hit() const {
-    EXPECT_GT(nt, 0);
-    EXPECT_GT(pq, 0);
-    EXPECT_GT(last_u, 0);
-    EXPECT_GT(last_m, 0);
-    EXPECT_GT(last_p, 0);
-  }
-};
-
-inline std::int64_t counter_of(const Drawing& drawing, std::string_view name) {
-  for (const Counter& counter : drawing.counters) {
-    if (counter.name == name) return counter.value;
-  }
-  ADD_FAILURE() << "no counter " << name;
-  return 0;
+/// Expects that the core has used both clash rules and all three cases of the last edge.
+inline void expect_all_hit(CounterSums& sums) {
+  for (const char* name : {"nt", "pq", "last_u", "last_m", "last_p"})
+    EXPECT_GT(sums[name], 0) << name;
 }
 
 /// Draws and certifies. "" or the first violation; small graphs with their edges.
 inline std::string grid_fault(const Graph& graph, std::int64_t effort,
-                              CaseCounts* counts = nullptr) {
+                              CounterSums* sums = nullptr) {
   const Algorithm& grid = find_algorithm("grid");
   const Drawing drawing = draw(grid, graph, {{"effort", effort}});
-  if (counts != nullptr) {
-    counts->nt += counter_of(drawing, "nt");
-    counts->pq += counter_of(drawing, "pq");
-    counts->last_u += counter_of(drawing, "last_u");
-    counts->last_m += counter_of(drawing, "last_m");
-    counts->last_p += counter_of(drawing, "last_p");
-    counts->flat_defects += counter_of(drawing, "flat_defects");
-    counts->core_parts += counter_of(drawing, "core_parts");
-  }
+  if (sums != nullptr) add_counters(drawing, *sums);
   const Certificate certificate = certify(graph, drawing, grid.guarantee);
   const auto extents = bounding_box(drawing).extents();
   for (std::size_t axis = 0; axis < 3 && graph.num_vertices() > 0; ++axis) {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -13,23 +12,19 @@
 #include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/certificate.h"
+#include "support/counters.h"
 #include "support/graphs.h"
 
 namespace ar3d::testing {
 
-using grid_paper::CycleChoice, grid_paper::Gap, grid_paper::Options, grid_paper::Spread;
-
-/// Sums of counters over drawings.
-using CounterSums = std::map<std::string, std::int64_t>;
+using grid_paper::Options, grid_paper::Spread;
 
 /// All combinations of options.
 inline std::vector<Options> all_grid_paper_options() {
   std::vector<Options> all;
   for (const Spread spread : {Spread::columns, Spread::conditional, Spread::least}) {
-    for (const Gap gap : {Gap::any, Gap::needed}) {
-      for (const CycleChoice cycle : {CycleChoice::shortest, CycleChoice::any}) {
-        all.push_back({spread, gap, cycle});
-      }
+    for (const bool needed_gap : {false, true}) {
+      for (const bool any_cycle : {false, true}) all.push_back({spread, needed_gap, any_cycle});
     }
   }
   return all;
@@ -42,9 +37,7 @@ inline std::string grid_paper_fault(const Graph& graph, const Options& options =
   static const Guarantee guarantee = grid_paper::row().guarantee;
   try {
     const Drawing drawing = grid_paper::draw(graph, options, repairs);
-    if (sums != nullptr) {
-      for (const Counter& counter : drawing.counters) (*sums)[counter.name] += counter.value;
-    }
+    if (sums != nullptr) add_counters(drawing, *sums);
     const auto extents = bounding_box(drawing).extents();
     for (std::size_t axis = 0; axis < 3 && graph.num_vertices() > 0; ++axis) {
       const std::int64_t own = drawing.instance_bound.value()[axis];

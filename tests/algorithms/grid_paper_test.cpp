@@ -11,12 +11,11 @@
 #include "ar3d/algorithms/grid_paper/builder.h"
 #include "ar3d/algorithms/grid_paper/growth.h"
 #include "ar3d/base/random.h"
+#include "verify/draft.h"
 
 namespace ar3d::testing {
 namespace {
 
-using grid_paper::CycleChoice;
-using grid_paper::Gap;
 using grid_paper::GrowthStage;
 using grid_paper::Options;
 using grid_paper::RepairSwitches;
@@ -49,7 +48,7 @@ TEST(GridPaper, ConnectedCubicGraphsRelabelledAndWithRandomCycles) {
       for (const Options& options : all_grid_paper_options()) {
         ASSERT_EQ(grid_paper_fault(other, options), "");
       }
-      ASSERT_EQ(grid_paper_fault(other, {Spread::least, Gap::needed}, {.random_cycles = seed}), "");
+      ASSERT_EQ(grid_paper_fault(other, {Spread::least, true}, {.random_cycles = seed}), "");
     }
   }
 }
@@ -60,8 +59,7 @@ TEST(GridPaper, FamiliesAreCertified) {
     for (const std::uint64_t n : {1u, 40u, 200u}) {
       const Graph graph = shuffled(generate(family, n, 3), n);
       for (const Options& options :
-           {Options{}, Options{Spread::columns, Gap::any, CycleChoice::any},
-            Options{Spread::least, Gap::needed, CycleChoice::shortest}}) {
+           {Options{}, Options{Spread::columns, false, true}, Options{Spread::least, true}}) {
         ASSERT_EQ(grid_paper_fault(graph, options), "") << family.name << " n = " << n;
       }
     }
@@ -175,23 +173,18 @@ void expect_chordless(const Graph& graph, const std::vector<Vertex>& cycle) {
 
 /// The drawing of a cycle with a vertex at the end of every leg, in the layer z = 0.
 Drawing flat_drawing(const Graph& graph, const grid_paper::FlatCycle& flat) {
-  const auto k = static_cast<Vertex>(flat.at.size());
   const auto point = [](const grid_paper::LayerPoint& p) { return Point{p.y(), p.x + p.y(), p.x}; };
-  Coordinates vertices(2 * std::size_t{k}, 1'000'000);
-  for (Vertex v = 0; v < k; ++v) {
-    vertices.set(v, point(flat.at[v]));
-    vertices.set(k + v, point({flat.at[v].h + 2, flat.at[v].x}));
-  }
-  auto bends = std::make_shared<StoredBends>();
+  Draft draft;
+  for (const auto& p : flat.at) draft.vertices.push_back(point(p));
+  for (const auto& p : flat.at) draft.vertices.push_back(point({p.h + 2, p.x}));
   for (const Edge e : graph.edges()) {
-    std::vector<Point> points;
-    if (e.v < k) {
-      const bool closes = e.v > e.u + 1;
-      for (const auto& p : closes ? flat.bends.back() : flat.bends[e.u]) points.push_back(point(p));
+    draft.edges.push_back({e, {}});
+    if (e.v >= flat.at.size()) continue;
+    for (const auto& p : e.v > e.u + 1 ? flat.bends.back() : flat.bends[e.u]) {
+      draft.edges.back().bends.push_back(point(p));
     }
-    bends->add_edge(points);
   }
-  return {"flat", kCubeLattice, std::move(vertices), graph.shared_edges(), std::move(bends)};
+  return draft.drawing();
 }
 
 TEST(GridPaperFlatCycle, AnyEvenNumbersGiveACycleWithoutContact) {
@@ -220,14 +213,14 @@ class GridPaperRepairs : public ::testing::TestWithParam<LeftOutRepair> {};
 TEST(GridPaperGrowth, CyclesAreShortestAndClosuresClosed) {
   for (const char* family : {"random-cubic", "prism", "random-subcubic", "union-petersen"}) {
     const Graph graph = shuffled(generate(find_family(family), 90, 5), 6);
-    for (const CycleChoice choice : {CycleChoice::shortest, CycleChoice::any}) {
+    for (const bool any_cycle : {false, true}) {
       std::vector<int> times(graph.num_vertices());
-      for (const auto& component : grid_paper::grow(graph, choice, {})) {
+      for (const auto& component : grid_paper::grow(graph, any_cycle, {})) {
         std::vector<bool> gone(graph.num_vertices(), true);
         for (const Vertex v : component.vertices) gone[v] = false;
         for (const GrowthStage& stage : component.stages) {
           if (!stage.cycle.empty()) expect_chordless(graph, stage.cycle);
-          if (!stage.cycle.empty() && choice == CycleChoice::shortest) {
+          if (!stage.cycle.empty() && !any_cycle) {
             EXPECT_EQ(stage.cycle.size(), plain_girth(graph, gone));
           }
           for (const auto* list : {&stage.cycle, &stage.between, &stage.closure}) {

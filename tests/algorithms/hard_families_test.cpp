@@ -12,17 +12,11 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
 #include "ar3d/algorithms/diamond/routes.h"
-#include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
+#include "support/counters.h"
 
 namespace ar3d::testing {
 namespace {
-
-Graph member(const std::string& family, std::uint64_t n, bool shuffled) {
-  Settings parameters;
-  if (shuffled) parameters.push_back({"shuffle", 1});
-  return generate(find_family(family), n, 7, parameters);
-}
 
 /// What the construction of Theorem 1 in its guaranteed mode meets.
 struct DiamondCases {
@@ -54,11 +48,7 @@ DiamondCases diamond_cases(const Graph& graph) {
 
 std::int64_t counter(const std::string& algorithm, const Graph& graph, int effort,
                      const std::string& name) {
-  const Drawing drawing = draw(find_algorithm(algorithm), graph, {{"effort", effort}});
-  for (const Counter& c : drawing.counters) {
-    if (c.name == name) return c.value;
-  }
-  throw InternalError(fmt::format("{} has no counter {}", algorithm, name));
+  return counter_of(draw(find_algorithm(algorithm), graph, {{"effort", effort}}), name);
 }
 
 /// Number of vertices, and whether the labels are shuffled.
@@ -66,7 +56,7 @@ class HardFamilies : public ::testing::TestWithParam<std::pair<std::uint64_t, bo
  protected:
   Graph member(const std::string& family) const {
     const auto [n, shuffled] = GetParam();
-    return testing::member(family, n, shuffled);
+    return generate(find_family(family), n, 7, {{"shuffle", shuffled ? 1 : 0}});
   }
 };
 
