@@ -35,7 +35,7 @@ class AngleMeasurer {
         is_optimal_(drawing.num_edges(), true),
         offsets_(drawing.num_vertices() + 1, 0) {}
 
-  DrawnAngles run() {
+  void run(DrawingSummary& summary) {
     group_by_vertex();
     const std::uint32_t degree = largest_degree();
     has_optimum_ = degree <= 4;
@@ -43,17 +43,15 @@ class AngleMeasurer {
     for_each_polyline(drawing_,
                       [this](EdgeId e, const std::vector<Point>& points) { add_bends(e, points); });
     add_vertices();
-    DrawnAngles angles;
     if (largest_cosine_at_vertices_ != kNoAngle) {
-      angles.smallest_at_vertices = degrees(largest_cosine_at_vertices_);
+      summary.smallest_vertex_angle = degrees(largest_cosine_at_vertices_);
     }
     if (largest_cosine_at_bends_ != kNoAngle) {
-      angles.smallest_at_bends = degrees(largest_cosine_at_bends_);
+      summary.smallest_bend_angle = degrees(largest_cosine_at_bends_);
     }
     if (has_optimum_) {
-      angles.optimal_edges = std::count(is_optimal_.begin(), is_optimal_.end(), true);
+      summary.optimal_edges = std::count(is_optimal_.begin(), is_optimal_.end(), true);
     }
-    return angles;
   }
 
  private:
@@ -116,26 +114,23 @@ class AngleMeasurer {
   // Only the smallest angle is asked for, since more than four segments have no optimum. Unit
   // vectors are no closer in space than along a line, by which they are sorted.
   void add_crowded_vertex(Vertex v) {
-    struct Direction {
-      double place;
-      Vector step;
-    };
-    constexpr Vector kLine{129898, 782331, -377193};  // hardly at right angles to all of them
-    std::vector<Direction> directions;
+    constexpr Vector kLine{129898, 782331, -377193};    // hardly at right angles to all of them
+    std::vector<std::pair<double, Vector>> directions;  // by place on the line
     for (std::uint32_t i = offsets_[v]; i < offsets_[v + 1]; ++i) {
       const Vector step = leaving(edges_[i], v);
-      if (step != kNone) directions.push_back({cosine_of(lattice_, step, kLine), step});
+      if (step != kNone) directions.emplace_back(cosine_of(lattice_, step, kLine), step);
     }
     std::sort(directions.begin(), directions.end(),
-              [](const Direction& a, const Direction& b) { return a.place < b.place; });
+              [](const auto& a, const auto& b) { return a.first < b.first; });
     double largest = -1;
     const auto compare_following = [&](std::size_t most) {
       constexpr double kEqual = 1 - 1e-15;
       for (std::size_t i = 0; i < directions.size() && largest < kEqual; ++i) {
+        const auto& [from, step] = directions[i];
         const std::size_t end = i + std::min(most, directions.size() - 1 - i);
         for (std::size_t j = i + 1; j <= end && largest < kEqual; ++j) {
-          if (directions[j].place - directions[i].place > std::sqrt(2 - 2 * largest) + 1e-7) break;
-          largest = std::max(largest, cosine_of(lattice_, directions[i].step, directions[j].step));
+          if (directions[j].first - from > std::sqrt(2 - 2 * largest) + 1e-7) break;
+          largest = std::max(largest, cosine_of(lattice_, step, directions[j].second));
         }
       }
     };
@@ -175,13 +170,11 @@ class AngleMeasurer {
 };
 
 // All angles are the same.
-DrawnAngles proved_angles(const Graph& graph, Cosine cosine, const DrawingSummary& summary) {
-  DrawnAngles angles;
+void set_proved_angles(const Graph& graph, Cosine cosine, DrawingSummary& summary) {
   const double angle = degrees(static_cast<double>(cosine.numerator) / cosine.denominator);
-  if (graph.max_degree() >= 2) angles.smallest_at_vertices = angle;
-  if (summary.bend_histogram.size() > 1) angles.smallest_at_bends = angle;
-  angles.optimal_edges = graph.num_edges();
-  return angles;
+  if (graph.max_degree() >= 2) summary.smallest_vertex_angle = angle;
+  if (summary.bend_histogram.size() > 1) summary.smallest_bend_angle = angle;
+  summary.optimal_edges = graph.num_edges();
 }
 
 bool is_contact(ViolationKind kind) {
@@ -191,7 +184,9 @@ bool is_contact(ViolationKind kind) {
 
 }  // namespace
 
-DrawnAngles angles_of(const Drawing& drawing) { return AngleMeasurer(drawing).run(); }
+void set_angles(const Drawing& drawing, DrawingSummary& summary) {
+  AngleMeasurer(drawing).run(summary);
+}
 
 void set_angles_and_crossings(const Graph& graph, const Drawing& drawing,
                               const Guarantee& guarantee, const Certificate& certificate,
@@ -204,11 +199,7 @@ void set_angles_and_crossings(const Graph& graph, const Drawing& drawing,
   const bool is_proved = certificate.valid() && guarantee.angle_rule == AngleRule::exactly &&
                          graph.max_degree() <= 4 &&
                          guarantee.cosine == optimal_cosine(graph.max_degree());
-  const DrawnAngles angles =
-      is_proved ? proved_angles(graph, guarantee.cosine, summary) : angles_of(drawing);
-  summary.smallest_vertex_angle = angles.smallest_at_vertices;
-  summary.smallest_bend_angle = angles.smallest_at_bends;
-  summary.optimal_edges = angles.optimal_edges;
+  is_proved ? set_proved_angles(graph, guarantee.cosine, summary) : set_angles(drawing, summary);
 }
 
 }  // namespace ar3d

@@ -1,30 +1,21 @@
 #pragma once
 
-#include <cstdint>
-#include <limits>
-
 #include "ar3d/model/drawing.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/metrics/metrics.h"
 
 namespace ar3d {
 
-/// The angles of a drawing: between consecutive segments of an edge, and between any two segments
-/// that leave a vertex. Segments of length zero have none.
-struct DrawnAngles {
-  double smallest_at_vertices = std::numeric_limits<double>::quiet_NaN();  ///< degrees
-  double smallest_at_bends = std::numeric_limits<double>::quiet_NaN();     ///< degrees
-  /// Edges all of whose angles, at their bends and at both ends, are at least the optimum: 120
-  /// degrees in drawings of maximum degree up to 3, arccos(-1/3) of maximum degree 4 (the paper's
-  /// introduction). Decided exactly. -1 for larger degrees, whose optimum is not known.
-  std::int64_t optimal_edges = -1;
-};
-
+/// Fills in what a summary says of angles: between consecutive segments of an edge, and between any
+/// two segments that leave a vertex. Segments of length zero have none. Optimal edges are those all
+/// of whose angles, at their bends and at both ends, are at least the optimum: 120 degrees in
+/// drawings of maximum degree up to 3, arccos(-1/3) of maximum degree 4 (the paper's introduction).
+/// That is decided exactly. Larger degrees have no known optimum.
 /// @pre every coordinate is in range.
 /// Cost: O(m + bends) time and, for degree d, O(d^2) up to 64, above about O(d^1.5) where
 /// directions are spread (an angle below 10^-5 degrees at such a vertex may stand for a smaller
 /// one); 32 bytes per edge.
-DrawnAngles angles_of(const Drawing& drawing);
+void set_angles(const Drawing& drawing, DrawingSummary& summary);
 
 /// Fills in what a summary says of angles and crossings. A valid certificate that all angles are
 /// exactly the optimum says which there are, in O(1); else they are measured. Crossings are counted

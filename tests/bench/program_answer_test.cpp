@@ -107,21 +107,27 @@ TEST(Answers, NonsenseIsNamed) {
   }
 }
 
+DrawingSummary angles_of(const Drawing& drawing) {
+  DrawingSummary summary;
+  set_angles(drawing, summary);
+  return summary;
+}
+
 TEST(Angles, AreMeasuredAndComparedExactly) {
   // A right angle at vertex 1, and a bend of 45 degrees.
   const ProgramAnswer answer = parse_answer(
       "p", kPath,
       R"({"vertices":[[0,0,0],[1,0,0],[1,1,0]],"edges":[[0,1],[1,2,[[1,2,0],[2,1,0]]]]})");
-  const DrawnAngles angles = angles_of(*answer.drawing);
-  EXPECT_NEAR(angles.smallest_at_vertices, 90, 1e-12);
-  EXPECT_NEAR(angles.smallest_at_bends, 45, 1e-12);
+  const DrawingSummary angles = angles_of(*answer.drawing);
+  EXPECT_NEAR(angles.smallest_vertex_angle, 90, 1e-12);
+  EXPECT_NEAR(angles.smallest_bend_angle, 45, 1e-12);
   EXPECT_EQ(angles.optimal_edges, 0);
   for (const char* name : {"diamond", "grid", "two-bend"}) {
     const Graph graph = name == std::string("diamond") ? complete(5) : petersen();
     const Drawing drawing = draw(find_algorithm(name), graph);
-    const DrawnAngles optimal = angles_of(drawing);
+    const DrawingSummary optimal = angles_of(drawing);
     EXPECT_EQ(optimal.optimal_edges, graph.num_edges()) << name;
-    EXPECT_NEAR(optimal.smallest_at_vertices, name == std::string("diamond") ? 109.4712206 : 120,
+    EXPECT_NEAR(optimal.smallest_vertex_angle, name == std::string("diamond") ? 109.4712206 : 120,
                 1e-7);
   }
   for (const char* name : {"diamond", "grid", "two-bend"}) {  // what is proved is what is measured
@@ -131,19 +137,19 @@ TEST(Angles, AreMeasuredAndComparedExactly) {
       Examination examination = examine(graph, drawing, algorithm.guarantee);
       set_angles_and_crossings(graph, drawing, algorithm.guarantee, examination.certificate,
                                examination.summary);
-      const DrawnAngles measured = angles_of(drawing);
+      const DrawingSummary measured = angles_of(drawing);
       EXPECT_EQ(examination.summary.crossings, 0);
       EXPECT_EQ(examination.summary.optimal_edges, measured.optimal_edges) << name;
       const auto same = [](double a, double b) {
         return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) < 1e-9;
       };
-      EXPECT_TRUE(same(examination.summary.smallest_vertex_angle, measured.smallest_at_vertices));
-      EXPECT_TRUE(same(examination.summary.smallest_bend_angle, measured.smallest_at_bends));
+      EXPECT_TRUE(same(examination.summary.smallest_vertex_angle, measured.smallest_vertex_angle));
+      EXPECT_TRUE(same(examination.summary.smallest_bend_angle, measured.smallest_bend_angle));
     }
   }
-  const DrawnAngles none = angles_of(draw(find_algorithm("grid"), Graph(2, {})));
-  EXPECT_TRUE(std::isnan(none.smallest_at_vertices));
-  EXPECT_TRUE(std::isnan(none.smallest_at_bends));
+  const DrawingSummary none = angles_of(draw(find_algorithm("grid"), Graph(2, {})));
+  EXPECT_TRUE(std::isnan(none.smallest_vertex_angle));
+  EXPECT_TRUE(std::isnan(none.smallest_bend_angle));
   EXPECT_EQ(none.optimal_edges, 0);
   std::string star = R"({"vertices":[[0,0,0],[1,0,0],[-1,0,0],[0,1,0],[0,-1,0],[0,0,1]]})";
   const Graph five(6, {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}});

@@ -1,30 +1,18 @@
 // Widths that a theorem's bound proves for coordinates, and those that a drawing fits.
 #include "ar3d/verify/coordinate_width.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
+#include "support/problem.h"
 #include "verify/draft.h"
 
 namespace ar3d::testing {
 namespace {
 
-using ::testing::HasSubstr;
-
 std::string refusal(const CoordinateWidth& width, const SizeBound& bound, const Drawing& drawing) {
-  try {
-    require_width(width, bound, drawing);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return problem([&] { require_width(width, bound, drawing); });
 }
 
 TEST(CoordinateWidths, HaveNames) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -69,13 +68,7 @@ inline bool is_valid(const Draft& draft, const Guarantee& guarantee = no_promise
 struct CountingOutcome {
   bool proved;
   verify::CountedMeetings counts;
-  bool operator==(const CountingOutcome& other) const {
-    const auto numbers = [](const CountingOutcome& o) {
-      return std::tuple(o.proved, o.counts.crossing_neighbours, o.counts.touching_neighbours,
-                        o.counts.found.crossing, o.counts.found.touching, o.counts.found.overlap);
-    };
-    return numbers(*this) == numbers(other);
-  }
+  friend bool operator==(const CountingOutcome&, const CountingOutcome&) = default;
 };
 
 /// What the comparisons of outcomes with the oracle covered.

@@ -173,9 +173,9 @@ TEST(Examination, LeavesOutWhatIsNotWanted) {
   EXPECT_FALSE(nothing.certificate.complete) << "nothing was judged";
 }
 
-double squared_distance(const Drawing& drawing, Vertex u, Vertex v) {
-  const double length =
-      approximate_length(drawing.lattice(), drawing.vertex(u) - drawing.vertex(v));
+double squared_distance(const Drawing& drawing, verify::VertexPair pair) {
+  const Vector apart = drawing.vertex(pair.first) - drawing.vertex(pair.second);
+  const double length = approximate_length(drawing.lattice(), apart);
   return length * length;
 }
 
@@ -183,15 +183,14 @@ void expect_closest(const Draft& draft) {
   const Drawing drawing = draft.drawing();
   const auto pair = verify::closest_pair(drawing);
   ASSERT_TRUE(pair.has_value());
-  ASSERT_NE(pair->u, pair->v);
+  ASSERT_NE(pair->first, pair->second);
   double smallest = INFINITY;
   for (Vertex v = 0; v < drawing.num_vertices(); ++v) {
-    for (Vertex u = 0; u < v; ++u) smallest = std::min(smallest, squared_distance(drawing, u, v));
+    for (Vertex u = 0; u < v; ++u) smallest = std::min(smallest, squared_distance(drawing, {u, v}));
   }
-  ASSERT_NEAR(squared_distance(drawing, pair->u, pair->v), smallest, smallest * 1e-9);
+  ASSERT_NEAR(squared_distance(drawing, *pair), smallest, smallest * 1e-9);
   const auto plain = verify::closest_pair_by_tree(drawing);
-  ASSERT_EQ(squared_distance(drawing, pair->u, pair->v),
-            squared_distance(drawing, plain->u, plain->v));
+  ASSERT_EQ(squared_distance(drawing, *pair), squared_distance(drawing, *plain));
 }
 
 TEST(ClosestPair, IsTheBestOfAllPairs) {
@@ -257,9 +256,7 @@ TEST(ClosestPair, StripsTakeLargeCoordinates) {
       ASSERT_TRUE(tree.has_value());
       if (lattice.gram == large.gram && !strips) continue;  // no two may be near enough there
       ASSERT_TRUE(strips.has_value()) << i;
-      ASSERT_EQ(squared_distance(drawing, strips->u, strips->v),
-                squared_distance(drawing, tree->u, tree->v))
-          << i;
+      ASSERT_EQ(squared_distance(drawing, *strips), squared_distance(drawing, *tree)) << i;
     }
   }
 }
@@ -269,10 +266,10 @@ TEST(ClosestPair, ComparesExactlyWhereDoublesCannot) {
   Draft draft;  // the pairs' distances differ by 1 in 2^61
   draft.vertices = {{-far, 0, 0}, {0, 0, 0}, {far - 1, 0, 0}};
   auto pair = verify::closest_pair(draft.drawing());
-  EXPECT_EQ(pair->u + pair->v, 3u);
+  EXPECT_EQ(pair->first + pair->second, 3u);
   draft.vertices = {{1 - far, 0, 0}, {0, 0, 0}, {far, 0, 0}};
   pair = verify::closest_pair(draft.drawing());
-  EXPECT_EQ(pair->u + pair->v, 1u);
+  EXPECT_EQ(pair->first + pair->second, 1u);
   draft.vertices = {{-far, -far, -far}, {far, far, far}, {far, far, -far}};  // 2^62 apart and more
   ASSERT_NO_FATAL_FAILURE(expect_closest(draft));
 }

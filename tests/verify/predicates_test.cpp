@@ -62,14 +62,8 @@ struct Recorded {
 Vector extreme(RandomStream& random, const Reach& reach) {
   const auto side = [&](std::uint64_t size) {
     const auto signed_size = static_cast<std::int64_t>(size);
-    switch (random.below(4)) {
-      case 0:
-        return -signed_size;
-      case 1:
-        return static_cast<std::int64_t>(random.below(2)) - 1;
-      default:
-        return signed_size;
-    }
+    return std::array<std::int64_t, 5>{-signed_size, -1, 0, signed_size,
+                                       signed_size}[random.below(5)];
   };
   return {side(reach.x), side(reach.y), side(reach.z)};
 }

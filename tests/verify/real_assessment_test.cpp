@@ -15,7 +15,7 @@ namespace ar3d::testing {
 namespace {
 
 using verify::BigVector;
-using verify::miss_of_120;
+using verify::short_of_120;
 
 BigPoint point(std::int64_t x, std::int64_t y, std::int64_t z) { return {x, y, z}; }
 
@@ -32,20 +32,16 @@ RealPoints drawing(std::vector<BigPoint> vertices, const std::vector<std::vector
 }
 
 TEST(RealAssessment, AngleOf120IsNoMiss) {
-  const verify::Miss miss = miss_of_120(point(1, -1, 0), point(0, 1, -1));
-  EXPECT_EQ(miss.degrees, 0);
-  EXPECT_FALSE(miss.is_less);
-  EXPECT_EQ(miss_of_120(point(7, -7, 0), point(0, 3, -3)).degrees, 0);
+  EXPECT_EQ(short_of_120(point(1, -1, 0), point(0, 1, -1)), 0);
+  EXPECT_EQ(short_of_120(point(7, -7, 0), point(0, 3, -3)), 0);
 }
 
 TEST(RealAssessment, MissesOfKnownAngles) {
-  EXPECT_NEAR(miss_of_120(point(1, 0, 0), point(0, 1, 0)).degrees, 30, 1e-13);
-  EXPECT_TRUE(miss_of_120(point(1, 0, 0), point(0, 1, 0)).is_less);
-  EXPECT_NEAR(miss_of_120(point(1, 0, 0), point(-5, 0, 0)).degrees, 60, 1e-13);
-  EXPECT_FALSE(miss_of_120(point(1, 0, 0), point(-1, 0, 0)).is_less);
-  EXPECT_NEAR(miss_of_120(point(1, 0, 0), point(3, 0, 0)).degrees, 120, 1e-13);
-  EXPECT_NEAR(miss_of_120(point(1, 0, 0), point(-1, 1, 0)).degrees, 15, 1e-13);
-  EXPECT_NEAR(miss_of_120(point(1, 0, 0), point(1, 1, 0)).degrees, 75, 1e-13);
+  EXPECT_NEAR(short_of_120(point(1, 0, 0), point(0, 1, 0)), 30, 1e-13);
+  EXPECT_NEAR(short_of_120(point(1, 0, 0), point(-5, 0, 0)), -60, 1e-13);
+  EXPECT_NEAR(short_of_120(point(1, 0, 0), point(3, 0, 0)), 120, 1e-13);
+  EXPECT_NEAR(short_of_120(point(1, 0, 0), point(-1, 1, 0)), -15, 1e-13);
+  EXPECT_NEAR(short_of_120(point(1, 0, 0), point(1, 1, 0)), 75, 1e-13);
 }
 
 /// (N, -N, 1) and (0, 1, -1): the angle is 120 degrees and about 1 / (N 2 sqrt3 ...) more or less;
@@ -63,11 +59,9 @@ TEST(RealAssessment, TinyMissesKeepTheirRelativeAccuracy) {
     const BigVector v{perturbed(0), perturbed(1), perturbed(-1)};
     const Exact a(verify::dot(u, v)), b(verify::dot(u, u)), c(verify::dot(v, v));
     const Exact angle = acos(a / sqrt(b * c));
-    const Exact wanted = abs(angle - acos(Exact(-1) / 2)) * 180 / acos(Exact(-1));
-    const verify::Miss found = miss_of_120(u, v);
+    const Exact wanted = (acos(Exact(-1) / 2) - angle) * 180 / acos(Exact(-1));
     const auto expected = static_cast<double>(wanted);
-    EXPECT_NEAR(found.degrees, expected, 1e-13 * expected) << bits;
-    EXPECT_EQ(found.is_less, angle < acos(Exact(-1) / 2) && expected > 0);
+    EXPECT_NEAR(short_of_120(u, v), expected, 1e-13 * std::abs(expected)) << bits;
   }
 }
 
@@ -156,12 +150,12 @@ TEST(RealAssessment, CrossingsAreThoseOfAllPairs) {
       for (std::uint32_t b = random.below(3); b > 0; --b) list.push_back(any());
     }
     const RealPoints points = drawing(vertices, bends, -static_cast<int>(random.below(60)));
-    const verify::RealSegments segments = verify::segments_of(graph, points);
+    const std::vector<verify::RealSegment> segments = verify::segments_of(graph, points);
     std::uint64_t expected = 0;
-    for (std::size_t s = 0; s < segments.list.size(); ++s) {
-      for (std::size_t t = 0; t < s; ++t) expected += verify::crosses(graph, segments.list, s, t);
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      for (std::size_t t = 0; t < s; ++t) expected += verify::crosses(graph, segments, s, t);
     }
-    ASSERT_EQ(verify::count_crossings(graph, segments.list, points.unit_exponent), expected);
+    ASSERT_EQ(verify::count_crossings(graph, segments, points.unit_exponent), expected);
     total += expected;
   }
   EXPECT_GT(total, 1000u);

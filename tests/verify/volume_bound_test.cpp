@@ -186,32 +186,30 @@ TEST(VolumeBound, IsCloseToAnEdgeDrawnByHand) {
   Draft draft;
   draft.vertices = {{0, 0, 0}, {2, 2, 0}};
   draft.edges = {{{0, 1}, {{1, 1, 1}}}};
-  CertifyOptions without_size;
-  without_size.check_size = false;
-  EXPECT_TRUE(certify(path(2), draft.drawing(), diamond, without_size).valid());
+  EXPECT_TRUE(certify(path(2), draft.drawing(), diamond, {.check_size = false}).valid());
   EXPECT_EQ(volume_at_least(path(2), diamond), 12);
   EXPECT_EQ(volume_of(draft.drawing()), 18u);
 }
 
 // Pieces of the two lattices, as they lie there: drawings without bends.
 TEST(VolumeBound, IsWithinAFactorOfPiecesOfLattices) {
-  Guarantee straight;
-  straight.max_bends = 0;
-  for (const std::uint64_t n : {10u, 100u, 1000u, 5000u}) {
-    straight.cosine = {-1, 3};
-    straight.directions = {{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
-    const LatticePiece diamond = diamond_lattice_piece(n);
-    const auto bound = static_cast<std::uint64_t>(volume_at_least(diamond.graph, straight));
-    const std::uint64_t volume = volume_of(straight_drawing(diamond, "diamond-lattice"));
+  Guarantee diamond;
+  diamond.max_bends = 0;
+  Guarantee laves = diamond;
+  diamond.cosine = {-1, 3};
+  diamond.directions = {{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+  laves.cosine = {-1, 2};
+  laves.directions = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}};
+  const auto expect_within = [](std::uint64_t factor, const LatticePiece& piece, const char* name,
+                                const Guarantee& guarantee) {
+    const auto bound = static_cast<std::uint64_t>(volume_at_least(piece.graph, guarantee));
+    const std::uint64_t volume = volume_of(straight_drawing(piece, name));
     EXPECT_LE(bound, volume);
-    EXPECT_LE(volume, 6 * bound) << n;
-    straight.cosine = {-1, 2};
-    straight.directions = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}};
-    const LatticePiece laves = laves_piece(n);
-    const auto flat_bound = static_cast<std::uint64_t>(volume_at_least(laves.graph, straight));
-    const std::uint64_t flat_volume = volume_of(straight_drawing(laves, "laves-graph"));
-    EXPECT_LE(flat_bound, flat_volume);
-    EXPECT_LE(flat_volume, 12 * flat_bound) << n;
+    EXPECT_LE(volume, factor * bound) << name << ' ' << piece.graph.num_vertices();
+  };
+  for (const std::uint64_t n : {10u, 100u, 1000u, 5000u}) {
+    expect_within(6, diamond_lattice_piece(n), "diamond-lattice", diamond);
+    expect_within(12, laves_piece(n), "laves-graph", laves);
   }
 }
 

@@ -44,12 +44,12 @@ class Assessor {
       : graph_(graph), points_(points), segments_(verify::segments_of(graph, points)) {}
 
   RealAssessment run() {
-    result_.collapsed = segments_.collapsed;
     count_bends();
     judge_bends();
+    result_.collapsed = graph_.num_edges() + points_.bends.size() - result_.segments;
     judge_vertices();
     if (result_.angles > 0) result_.mean_square_miss /= static_cast<double>(result_.angles);
-    result_.crossings = verify::count_crossings(graph_, segments_.list, points_.unit_exponent);
+    result_.crossings = verify::count_crossings(graph_, segments_, points_.unit_exponent);
     return result_;
   }
 
@@ -63,17 +63,16 @@ class Assessor {
   }
 
   void judge_bends() {
-    const auto& list = segments_.list;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      if (list[i].is_vertex) continue;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      if (segments_[i].is_vertex) continue;
       ++result_.segments;
-      if (!list[i].is_first) judge({&list[i - 1], true}, {&list[i], false}, false);
+      if (!segments_[i].is_first) judge({&segments_[i - 1], true}, {&segments_[i], false}, false);
     }
   }
 
   void judge_vertices() {
     std::vector<std::vector<Leg>> legs(graph_.num_vertices());
-    for (const RealSegment& segment : segments_.list) {
+    for (const RealSegment& segment : segments_) {
       if (segment.is_vertex) continue;
       const Edge ends = graph_.edge(segment.edge);
       if (segment.is_first) legs[ends.u].push_back({&segment, false});
@@ -89,8 +88,8 @@ class Assessor {
   }
 
   void judge(Leg a, Leg b, bool exactly) {
-    const verify::Miss found = verify::miss_of_120(a.direction(), b.direction());
-    const double miss = exactly || found.is_less ? found.degrees : 0;
+    const double missing = verify::short_of_120(a.direction(), b.direction());
+    const double miss = exactly ? std::abs(missing) : std::max(missing, 0.0);
     ++result_.angles;
     result_.largest_miss = std::max(result_.largest_miss, miss);
     result_.mean_square_miss += miss * miss;
@@ -112,7 +111,7 @@ class Assessor {
 
   const Graph& graph_;
   const RealPoints& points_;
-  const verify::RealSegments segments_;
+  const std::vector<RealSegment> segments_;
   RealAssessment result_;
 };
 

@@ -37,7 +37,7 @@ RoundedPoint rounded(const BigPoint& p, int shift) {
 // With a = <u,v>, b = <u,u>, c = <v,v> and S = |u x v| = sqrt(bc - a^2), the angle phi has tan phi
 // = S / a, so tan(phi - 120) = (S + sqrt3 a) / (a - sqrt3 S) = (bc - 4 a^2) / ((S - sqrt3 a) (a -
 // sqrt3 S)), where for a < 0 nothing cancels but bc - 4 a^2, and that is an exact integer.
-Miss miss_of_120(const BigVector& u, const BigVector& v) {
+double short_of_120(const BigVector& u, const BigVector& v) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   const BigInteger a = dot(u, v);
   const BigInteger product = dot(u, u) * dot(v, v);
@@ -47,36 +47,33 @@ Miss miss_of_120(const BigVector& u, const BigVector& v) {
   const int scale = -(static_cast<int>(msb(product)) / 2) * 2;  // product * 2^scale is below 4
   const double cosine = rounded(a, scale / 2);
   const double sine = std::sqrt(rounded(sine_square, scale));
-  if (a >= 0) return {std::abs(120 - std::atan2(sine, cosine) * kDegrees), true};
+  if (a >= 0) return 120 - std::atan2(sine, cosine) * kDegrees;
   const double root = std::numbers::sqrt3;
   const double numerator = rounded(excess, scale);
   const double denominator = (sine - root * cosine) * (root * sine - cosine);
-  return {std::atan(std::abs(numerator) / denominator) * kDegrees, excess > 0};
+  return std::atan(numerator / denominator) * kDegrees;
 }
 
-RealSegments segments_of(const Graph& graph, const RealPoints& points) {
-  RealSegments result;
+std::vector<RealSegment> segments_of(const Graph& graph, const RealPoints& points) {
+  std::vector<RealSegment> result;
   for (EdgeId e = 0; e < graph.num_edges(); ++e) {
     const Edge ends = graph.edge(e);
-    const std::size_t begin = result.list.size();
+    const std::size_t begin = result.size();
     BigPoint from = points.vertices[ends.u];
     const auto bends = points.bends_of(e);
     for (std::size_t i = 0; i <= bends.size(); ++i) {
       const BigPoint& to = i < bends.size() ? bends[i] : points.vertices[ends.v];
-      if (from == to) {
-        ++result.collapsed;
-        continue;
-      }
-      result.list.push_back({from, to, e, false, false, false});
+      if (from == to) continue;
+      result.push_back({from, to, e, false, false, false});
       from = to;
     }
-    if (result.list.size() == begin) continue;
-    result.list[begin].is_first = true;
-    result.list.back().is_last = true;
+    if (result.size() == begin) continue;
+    result[begin].is_first = true;
+    result.back().is_last = true;
   }
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     if (graph.degree(v) > 0) continue;
-    result.list.push_back({points.vertices[v], points.vertices[v], 0, false, false, true});
+    result.push_back({points.vertices[v], points.vertices[v], 0, false, false, true});
   }
   return result;
 }

@@ -37,11 +37,7 @@ struct RealSegment {
 };
 
 /// All segments of positive length, edge after edge, then the vertices without edges.
-struct RealSegments {
-  std::vector<RealSegment> list;
-  std::uint64_t collapsed = 0;
-};
-RealSegments segments_of(const Graph& graph, const RealPoints& points);
+std::vector<RealSegment> segments_of(const Graph& graph, const RealPoints& points);
 
 /// Pairs of segments with a common point that they should not have; every pair decided exactly.
 /// By boxes and a filter in double, in order of height.
@@ -51,12 +47,8 @@ std::uint64_t count_crossings(const Graph& graph, const std::vector<RealSegment>
 bool crosses(const Graph& graph, const std::vector<RealSegment>& segments, std::size_t i,
              std::size_t j);
 
-/// |angle - 120 degrees| of the vectors u and v, in degrees: exact inner products, rounded once.
-/// Relative error below 1e-14. `is_less` tells whether the angle is smaller than 120 degrees.
-struct Miss {
-  double degrees = 0;
-  bool is_less = false;
-};
-Miss miss_of_120(const BigVector& u, const BigVector& v);
+/// By how many degrees the angle of the vectors u and v is smaller than 120 degrees (negative: it is
+/// larger): exact inner products, rounded once. The sign is exact, the relative error below 1e-14.
+double short_of_120(const BigVector& u, const BigVector& v);
 
 }  // namespace ar3d::verify

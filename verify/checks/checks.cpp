@@ -2,77 +2,64 @@
 // box. Edges are compared as sorted lists, because a file may list them in any order.
 #include "ar3d/verify/checks/checks.h"
 
-#include <tuple>
-
 #include "ar3d/verify/predicates/exact.h"
 
 namespace ar3d::verify {
 
 namespace {
 
-/// An edge with its smaller end first and its number in the list that it comes from.
-struct Named {
-  Vertex low;
-  Vertex high;
-  EdgeId id;
-  std::pair<Vertex, Vertex> ends() const { return {low, high}; }
-};
+using Ends = std::pair<Vertex, Vertex>;  // the smaller one first
+Ends ends_of(Edge edge) { return std::minmax(edge.u, edge.v); }
 
-Named named(Edge edge, EdgeId id) {
-  return {std::min(edge.u, edge.v), std::max(edge.u, edge.v), id};
-}
-
-void sort_by_ends(std::vector<Named>& edges) {
-  std::sort(edges.begin(), edges.end(), [](const Named& a, const Named& b) {
-    return std::tie(a.low, a.high, a.id) < std::tie(b.low, b.high, b.id);
-  });
-}
+/// Edges with their numbers in the list that they come from.
+using NumberedEdges = std::vector<std::pair<Ends, EdgeId>>;
 
 bool same_list(const Graph& graph, const Drawing& drawing) {
   if (graph.num_edges() != drawing.num_edges()) return false;
   for (EdgeId e = 0; e < graph.num_edges(); ++e) {
-    if (named(graph.edge(e), e).ends() != named(drawing.edge(e), e).ends()) return false;
+    if (ends_of(graph.edge(e)) != ends_of(drawing.edge(e))) return false;
   }
   return true;
 }
 
 /// Both lists sorted: a merge tells missing, extra and repeated edges apart.
-void merge(const std::vector<Named>& wanted, const std::vector<Named>& drawn, Findings& findings) {
-  const auto add = [&](const Named& edge, std::vector<EdgeId> ids, const std::string& message) {
-    findings.add({ViolationKind::edge_set, {edge.low, edge.high}, std::move(ids), {}, message});
+void merge(const NumberedEdges& wanted, const NumberedEdges& drawn, Findings& findings) {
+  const auto add = [&](Ends ends, std::vector<EdgeId> ids, const std::string& message) {
+    findings.add({ViolationKind::edge_set, {ends.first, ends.second}, std::move(ids), {}, message});
   };
-  const auto add_missing = [&](const Named& edge) {
-    add(edge, {},
-        fmt::format("the graph's edge {} ({}-{}) is not drawn", edge.id, edge.low, edge.high));
+  const auto add_missing = [&](Ends ends, EdgeId id) {
+    add(ends, {},
+        fmt::format("the graph's edge {} ({}-{}) is not drawn", id, ends.first, ends.second));
   };
-  std::size_t next = 0;
+  auto next = wanted.begin();
   for (std::size_t i = 0; i < drawn.size() && !findings.done(); ++i) {
-    const auto& [low, high, id] = drawn[i];
-    while (next < wanted.size() && wanted[next].ends() < drawn[i].ends()) {
-      add_missing(wanted[next++]);
+    const auto& [ends, id] = drawn[i];
+    for (; next != wanted.end() && next->first < ends; ++next) {
+      add_missing(next->first, next->second);
     }
-    if (i > 0 && drawn[i - 1].ends() == drawn[i].ends()) {
-      add(drawn[i], {drawn[i - 1].id, id},
-          fmt::format("edges {} and {} of the drawing both join {} and {}", drawn[i - 1].id, id,
-                      low, high));
-    } else if (next < wanted.size() && wanted[next].ends() == drawn[i].ends()) {
+    if (i > 0 && drawn[i - 1].first == ends) {
+      const EdgeId before = drawn[i - 1].second;
+      add(ends, {before, id},
+          fmt::format("edges {} and {} of the drawing both join {} and {}", before, id, ends.first,
+                      ends.second));
+    } else if (next != wanted.end() && next->first == ends) {
       ++next;
     } else {
-      add(drawn[i], {id},
-          fmt::format("edge {} ({}-{}) of the drawing is not an edge of the graph", id, low, high));
+      add(ends, {id},
+          fmt::format("edge {} ({}-{}) of the drawing is not an edge of the graph", id, ends.first,
+                      ends.second));
     }
   }
-  while (next < wanted.size() && !findings.done()) add_missing(wanted[next++]);
+  for (; next != wanted.end() && !findings.done(); ++next) add_missing(next->first, next->second);
 }
 
 void check_edges(const Graph& graph, const Drawing& drawing, Findings& findings) {
   if (same_list(graph, drawing)) return;  // a Graph is simple: nothing can be drawn twice
-  std::vector<Named> wanted;
-  std::vector<Named> drawn;
-  for (EdgeId e = 0; e < graph.num_edges(); ++e) wanted.push_back(named(graph.edge(e), e));
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) drawn.push_back(named(drawing.edge(e), e));
-  sort_by_ends(wanted);
-  sort_by_ends(drawn);
+  NumberedEdges wanted, drawn;
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) wanted.emplace_back(ends_of(graph.edge(e)), e);
+  for (EdgeId e = 0; e < drawing.num_edges(); ++e) drawn.emplace_back(ends_of(drawing.edge(e)), e);
+  std::sort(wanted.begin(), wanted.end());
+  std::sort(drawn.begin(), drawn.end());
   merge(wanted, drawn, findings);
 }
 

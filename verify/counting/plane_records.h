@@ -19,6 +19,7 @@ struct MeetingCounts {
                                ///< only if a point on an end was counted, too
   bool overlap = false;        ///< collinear segments with more in common were seen
   MeetingCounts& operator+=(const MeetingCounts& other);
+  friend bool operator==(const MeetingCounts&, const MeetingCounts&) = default;
 };
 
 /// Holds what must be equal if nothing meets that must not (Lemma V.1).
@@ -30,6 +31,7 @@ struct CountedMeetings {
     return !found.overlap && found.crossing == crossing_neighbours &&
            found.touching == touching_neighbours;
   }
+  friend bool operator==(const CountedMeetings&, const CountedMeetings&) = default;
 };
 
 /// A segment of a known direction: from its low end, `steps` times along the direction.

@@ -95,7 +95,7 @@ class MeetingPairs {
 
   void add(std::uint32_t i, std::uint32_t j, MeetingKind kind) {
     if (too_many_) return;
-    pairs_.push_back({std::min(i, j), std::max(i, j), kind});
+    pairs_.emplace_back(std::min(i, j), std::max(i, j), kind);
     if (pairs_.size() < 2 * most_) return;
     drop_repeated();
     too_many_ = pairs_.size() >= most_;
@@ -107,23 +107,16 @@ class MeetingPairs {
     if (too_many_) return std::nullopt;
     drop_repeated();
     MeetingCounts counts;
-    for (const Pair& pair : pairs_) counts += counts_of(pair.kind);
+    for (const auto& [low, high, kind] : pairs_) counts += counts_of(kind);
     return counts;
   }
 
  private:
   static constexpr std::size_t kMostPerSegment = 8;
-  struct Pair {
-    std::uint32_t low;
-    std::uint32_t high;
-    MeetingKind kind;
-    bool operator==(const Pair&) const = default;
-  };
+  using Pair = std::tuple<std::uint32_t, std::uint32_t, MeetingKind>;  // the lower number first
 
   void drop_repeated() {
-    std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
-      return std::tie(a.low, a.high) < std::tie(b.low, b.high);
-    });
+    std::sort(pairs_.begin(), pairs_.end());
     pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
   }
 

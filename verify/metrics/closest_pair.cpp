@@ -55,7 +55,7 @@ std::optional<VertexPair> closest_pair_by_tree(const Drawing& drawing) {
   };
   const std::array<double, 3> inverse = inverse_diagonal(drawing.lattice());
   VertexPair best{order[0], order[1]};
-  Wide smallest = distance(best.u, best.v);
+  Wide smallest = distance(best.first, best.second);
   for (std::size_t i = 0; i < order.size() && smallest != 0; ++i) {
     const Vertex v = order[i];
     const auto look = [&](const Item& item) {
@@ -64,7 +64,7 @@ std::optional<VertexPair> closest_pair_by_tree(const Drawing& drawing) {
       const Wide d = distance(u, v);
       if (d >= smallest) return;
       smallest = d;
-      best = {std::min(u, v), std::max(u, v)};
+      best = std::minmax(u, v);
     };
     const auto near = box_around(drawing.vertex(v), static_cast<double>(smallest), inverse);
     tree.query(geometry::index::intersects(near), boost::make_function_output_iterator(look));

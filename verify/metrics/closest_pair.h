@@ -1,15 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "ar3d/model/drawing.h"
 
 namespace ar3d::verify {
 
-struct VertexPair {
-  Vertex u;
-  Vertex v;
-};
+using VertexPair = std::pair<Vertex, Vertex>;
 
 /// Two vertices at the smallest distance in the drawing's metric; nothing if there are fewer than
 /// two. Distances are compared exactly. By strips where these apply, else by the tree: the same

@@ -63,8 +63,9 @@ DrawingSummary SummaryPass::finish() {
   drawing_.lattice().validate();
   const auto pair = summary_.in_range ? closest_pair(drawing_) : std::nullopt;
   if (pair) {
+    const auto [u, v] = *pair;
     summary_.smallest_vertex_distance =
-        approximate_length(drawing_.lattice(), drawing_.vertex(pair->u) - drawing_.vertex(pair->v));
+        approximate_length(drawing_.lattice(), drawing_.vertex(u) - drawing_.vertex(v));
     set_relative_volume();
   }
   return summary_;

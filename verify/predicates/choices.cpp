@@ -18,20 +18,24 @@ namespace {
 using Int1024 = boost::multiprecision::checked_int1024_t;
 using meeting::Triple;
 
+/// Two points as seen from a third one.
+template <class Number>
+std::array<Triple<Number>, 2> directions(Point from, Point at, Point to) {
+  const Triple<Number> middle = meeting::converted<Number>(at);
+  return {meeting::difference(meeting::converted<Number>(from), middle),
+          meeting::difference(meeting::converted<Number>(to), middle)};
+}
+
 template <class Number>
 std::strong_ordering angle_in(const Lattice& lattice, Point from, Point at, Point to, Cosine c) {
-  const Triple<Number> middle = meeting::converted<Number>(at);
-  return cosine_comparison::compare<Number>(
-      lattice, meeting::difference(meeting::converted<Number>(from), middle),
-      meeting::difference(meeting::converted<Number>(to), middle), c);
+  const auto [u, v] = directions<Number>(from, at, to);
+  return cosine_comparison::compare<Number>(lattice, u, v, c);
 }
 
 std::strong_ordering textbook_angle(const Lattice& lattice, Point from, Point at, Point to,
                                     Cosine c) {
   using cosine_comparison::inner;
-  const Triple<double> middle = meeting::converted<double>(at);
-  const Triple<double> u = meeting::difference(meeting::converted<double>(from), middle);
-  const Triple<double> v = meeting::difference(meeting::converted<double>(to), middle);
+  const auto [u, v] = directions<double>(from, at, to);
   const double cosine =
       inner(lattice, u, v) / (std::sqrt(inner(lattice, u, u)) * std::sqrt(inner(lattice, v, v)));
   const double wanted = static_cast<double>(c.numerator) / c.denominator;
@@ -79,9 +83,7 @@ std::optional<std::strong_ordering> filtered_angle(const Lattice& lattice, Point
                                                    Point to, Cosine c) {
   if (!is_exact_double(from) || !is_exact_double(at) || !is_exact_double(to)) return std::nullopt;
   using cosine_comparison::inner;
-  const Triple<double> middle = meeting::converted<double>(at);
-  const Triple<double> u = meeting::difference(meeting::converted<double>(from), middle);
-  const Triple<double> v = meeting::difference(meeting::converted<double>(to), middle);
+  const auto [u, v] = directions<double>(from, at, to);
   const double p = inner(lattice, u, v);
   const double terms = size_of_terms(lattice, u, v);
   if (std::abs(p) <= 0x1p-48 * terms) return std::nullopt;
@@ -104,9 +106,7 @@ bool surely_apart(Point a, Point b, Point c, Point d) {
   for (const Point& p : {a, b, c, d}) {
     if (!is_exact_double(p)) return false;
   }
-  const Triple<double> origin = meeting::converted<double>(a);
-  const Triple<double> u = meeting::difference(meeting::converted<double>(b), origin);
-  const Triple<double> w = meeting::difference(meeting::converted<double>(c), origin);
+  const auto [u, w] = directions<double>(b, a, c);
   const Triple<double> v =
       meeting::difference(meeting::converted<double>(d), meeting::converted<double>(c));
   double determinant = 0, terms = 0;

@@ -5,6 +5,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdlib>
 
+#include "ar3d/verify/predicates/functional.h"
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {
@@ -12,9 +13,6 @@ namespace {
 
 using Int256 = boost::multiprecision::checked_int256_t;
 using Normal = std::array<Int128, 3>;
-
-std::array<std::int64_t, 3> components(Vector v) { return {v.x, v.y, v.z}; }
-std::array<std::int64_t, 3> components(Point p) { return {p.x, p.y, p.z}; }
 
 Int128 greatest_common_divisor(Int128 a, Int128 b) {
   a = meeting::magnitude(a);
@@ -32,24 +30,23 @@ std::optional<Point> lattice_point(Point a, Vector u, Int128 numerator, Int128 d
   const Int128 g = greatest_common_divisor(numerator, denominator);
   numerator /= g;
   denominator /= g;
-  const auto steps = components(u);
   std::array<std::int64_t, 3> moved{};
   for (std::size_t i = 0; i < 3; ++i) {
     // Lowest terms: the product is an integer exactly if the denominator divides the step.
-    if (steps[i] % denominator != 0) return std::nullopt;
-    moved[i] = static_cast<std::int64_t>(steps[i] / denominator * numerator);
+    const std::int64_t steps = component(u, i);
+    if (steps % denominator != 0) return std::nullopt;
+    moved[i] = static_cast<std::int64_t>(steps / denominator * numerator);
   }
   return a + Vector{moved[0], moved[1], moved[2]};
 }
 
 /// Collinear segments: their projections to the axis of u's longest component decide.
 Meeting meet_on_line(Point a, Point b, Point c, Point d, Vector u) {
-  const auto length = components(u);
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i) {
-    if (std::abs(length[i]) > std::abs(length[axis])) axis = i;
+    if (std::abs(component(u, i)) > std::abs(component(u, axis))) axis = i;
   }
-  const auto before = [&](Point p, Point q) { return components(p)[axis] < components(q)[axis]; };
+  const auto before = [&](Point p, Point q) { return component(p, axis) < component(q, axis); };
   const Point low = std::max(std::min(a, b, before), std::min(c, d, before), before);
   const Point high = std::min(std::max(a, b, before), std::max(c, d, before), before);
   if (before(high, low)) return {};
