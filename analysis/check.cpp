@@ -217,9 +217,8 @@ bool breaks_promise(const RunRecord& run) {
                      [](const Finding& finding) { return is_violation(finding.kind); });
 }
 
-CheckedRows examine(const RowView& rows) {
-  CheckedRows examination;
-  CheckVerdict& verdict = examination.verdict;
+CheckVerdict check(const RowView& rows) {
+  CheckVerdict verdict;
   verdict.rows = rows.count;
   bool any_drawn = false;
   FindingList findings(rows);
@@ -243,12 +242,9 @@ CheckedRows examine(const RowView& rows) {
   });
   add_whole_file(rows, any_drawn, findings);
   findings.conclude(is_ok, verdict);
-  examination.is_last_repetition = last_repetitions(prints);
-  return examination;
+  verdict.is_last_repetition = last_repetitions(prints);
+  return verdict;
 }
-
-CheckVerdict check(const RowView& rows) { return examine(rows).verdict; }
-CheckVerdict check(const Results& results) { return check(view_of(results)); }
 
 std::string verdict_line(const CheckVerdict& verdict) {
   const std::string unproved = verdict.unproved == 0

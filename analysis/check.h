@@ -52,6 +52,8 @@ struct CheckVerdict {
   std::size_t violations = 0;     ///< findings that prove something wrong
   std::size_t all_findings = 0;   ///< the others, too
   std::vector<Finding> findings;  ///< violations first, then in file order; at most 1000 of both
+  /// Says whether a row is the last one of its graph, algorithm and options.
+  std::vector<bool> is_last_repetition;
 
   /// Returns the exit code: 0 pass; 4 a bound or certificate is violated; 5 incomplete, nothing
   /// measured, or rows that nothing proves.
@@ -61,18 +63,9 @@ struct CheckVerdict {
   const char* word() const;
 };
 
-/// Describes a verdict, and what the check has found out about the order of the rows.
-struct CheckedRows {
-  CheckVerdict verdict;
-  /// Says whether a row is the last one of its graph, algorithm and options.
-  std::vector<bool> is_last_repetition;
-};
-
 /// Looks at every row, once and in file order, and again at those whose repetitions differ. Cost:
 /// O(r log r) time for r rows, 33 bytes per row.
-CheckedRows examine(const RowView& rows);
 CheckVerdict check(const RowView& rows);
-CheckVerdict check(const Results& results);
 
 /// Refuses rows that cannot be of one study: its graphs of one family, parameters, n and index have
 /// one seed, keys of rows are unique and not zero, and there are no more rows than planned.

@@ -66,19 +66,13 @@ void add_pairs(const PairedCell& cell, const CompareOptions& options, Evidence& 
 }
 
 /// The verdict on what has no noise: the heaviest change, and in words how often it occurs.
-std::pair<Verdict, std::string> judge_fixed(const std::vector<FixedChange>& changes) {
+FixedChange judge_fixed(const std::vector<FixedChange>& changes) {
   if (changes.empty()) return {Verdict::pass, ""};
-  const auto worst = std::max_element(
-      changes.begin(), changes.end(),
-      [](const FixedChange& a, const FixedChange& b) { return a.effect < b.effect; });
-  const auto alike = std::count_if(changes.begin(), changes.end(), [&](const FixedChange& change) {
-    return change.effect == worst->effect;
-  });
-  std::string reason = one_line(worst->message);
+  const auto& [worst, message] = *std::ranges::max_element(changes, {}, &FixedChange::first);
+  const auto alike = std::ranges::count(changes, worst, &FixedChange::first);
+  std::string reason = one_line(message);
   if (alike > 1) reason += fmt::format(" (and {} more like it)", alike - 1);
-  constexpr Verdict kVerdicts[] = {Verdict::pass, Verdict::improved, Verdict::regressed,
-                                   Verdict::violated};  // by Effect
-  return {kVerdicts[static_cast<std::size_t>(worst->effect)], std::move(reason)};
+  return {worst, std::move(reason)};
 }
 
 std::string undecided_reason(const TimeVerdict& time, const Comparison& comparison,
@@ -95,8 +89,8 @@ std::string undecided_reason(const TimeVerdict& time, const Comparison& comparis
 
 /// Weighs the noiseless verdict and the time's together. What was not drawn on both sides has no
 /// time to judge. Where counts decide, a slower time is a contradiction and no regression.
-void judge(CellComparison& cell, const std::pair<Verdict, std::string>& fixed, bool is_drawn,
-           const TimeRule& rule, const Comparison& comparison) {
+void judge(CellComparison& cell, const FixedChange& fixed, bool is_drawn, const TimeRule& rule,
+           const Comparison& comparison) {
   std::tie(cell.verdict, cell.reason) = fixed;
   const std::string& fixed_reason = fixed.second;
   const bool is_heavy = cell.verdict >= Verdict::regressed;
@@ -222,18 +216,17 @@ bool has_yardsticks(const Results& results) {
 /// Notes which version of each of the study's own programs is compared with which.
 void note_versions(const Results& base, const Results& now, Comparison& comparison) {
   constexpr std::string_view kVersion = "version_";
-  std::map<std::string, std::pair<std::string, std::string>> versions;
-  for (const EnvironmentEntry& entry : base.environment) {
-    if (entry.name.starts_with(kVersion)) versions[entry.name].first = entry.value;
+  std::map<std::string, std::array<std::string, 2>> versions;
+  for (const std::size_t side : {0U, 1U}) {
+    for (const EnvironmentEntry& entry : (side == 0 ? base : now).environment) {
+      if (entry.name.starts_with(kVersion)) versions[entry.name][side] = entry.value;
+    }
   }
-  for (const EnvironmentEntry& entry : now.environment) {
-    if (entry.name.starts_with(kVersion)) versions[entry.name].second = entry.value;
-  }
+  const auto text = [](const std::string& of) { return of.empty() ? "unknown" : one_line(of); };
   for (const auto& [name, of] : versions) {
     comparison.remarks.push_back(fmt::format("{}: version {} in BASE, {} in NEW",
-                                             one_line(name.substr(kVersion.size())),
-                                             of.first.empty() ? "unknown" : one_line(of.first),
-                                             of.second.empty() ? "unknown" : one_line(of.second)));
+                                             one_line(name.substr(kVersion.size())), text(of[0]),
+                                             text(of[1])));
   }
 }
 
@@ -316,13 +309,9 @@ std::size_t Comparison::count(Verdict verdict) const {
 }
 
 std::string Comparison::word() const {
-  for (const Verdict verdict : {Verdict::violated, Verdict::regressed}) {
-    if (count(verdict) > 0) return to_string(verdict);
-  }
-  if (!incomplete.empty() || cells.empty()) return "INCOMPLETE";
-  for (const Verdict verdict : {Verdict::inconclusive, Verdict::unjudged}) {
-    if (count(verdict) > 0) return to_string(verdict);
-  }
+  constexpr const char* kWords[] = {"REGRESSED", "VIOLATED", "INCOMPLETE", "INCONCLUSIVE",
+                                    "UNJUDGED"};  // by exit code, from 3 on
+  if (const int code = exit_code(); code > 0) return kWords[code - 3];
   const Verdict good = count(Verdict::improved) > 0 ? Verdict::improved : Verdict::pass;
   return (drawings_only ? "DRAWINGS " : "") + std::string(to_string(good));
 }

@@ -51,13 +51,6 @@ struct CompareOptions {
   bool drawings_only = false;           ///< judge what has no noise, and no times
 };
 
-/// Sorts by what outweighs what. unjudged: nothing got worse among what has no noise, and the
-/// times were not judged; inconclusive: they were, and their noise, or too few pairs, leaves it
-/// open.
-enum class Verdict { pass, improved, unjudged, inconclusive, regressed, violated };
-/// Returns "PASS", "IMPROVED", "UNJUDGED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"
-const char* to_string(Verdict verdict);
-
 /// Describes the verdict on one cell: an algorithm with its options on a family at one size.
 struct CellComparison {
   CurveKey key;

@@ -10,6 +10,9 @@
 namespace ar3d {
 namespace {
 
+constexpr std::size_t kFewestSizes = 8;
+/// The largest size over the smallest that is used.
+constexpr double kLeastSpan = 4;
 /// A power law: the drift of the local exponent lies within this on either side.
 constexpr double kSteadyDrift = 0.1;
 /// A power law needs a largest size so many times the smallest: then the drift bounds what is left
@@ -60,22 +63,21 @@ double span_of(const std::vector<SizeSample>& sizes) {
 }
 
 /// True if there are enough sizes; else says what is missing.
-bool has_enough_sizes(const FitOptions& options, ScalingEntry& entry) {
+bool has_enough_sizes(ScalingEntry& entry) {
   const auto& used = entry.used;
   const auto refuse = [&](std::string reason, std::size_t more) {
     entry.reason = std::move(reason);
     propose(doubled_sizes(entry, more), entry);
     return false;
   };
-  if (used.size() < options.minimum_sizes) {
-    return refuse(
-        fmt::format("{} sizes; at least {} are needed", used.size(), options.minimum_sizes),
-        options.minimum_sizes - used.size());
+  if (used.size() < kFewestSizes) {
+    return refuse(fmt::format("{} sizes; at least {} are needed", used.size(), kFewestSizes),
+                  kFewestSizes - used.size());
   }
-  if (span_of(used) < options.minimum_span) {
+  if (span_of(used) < kLeastSpan) {
     return refuse(fmt::format("the largest size is only {:.2g} times the smallest; at least {:.2g} "
                               "is needed",
-                              span_of(used), options.minimum_span),
+                              span_of(used), kLeastSpan),
                   2);
   }
   if (used.front().n < kSmallestNForLogs) {
@@ -165,28 +167,28 @@ const char* to_string(Growth growth) {
   return kNames.at(static_cast<std::size_t>(growth));
 }
 
-ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options) {
+ScalingEntry fit_scaling(std::vector<SizeSample> all) {
   ScalingEntry entry;
   entry.all = std::move(all);
-  entry.used = choose_sizes(entry.all, options.minimum_sizes);
+  entry.used = choose_sizes(entry.all, kFewestSizes);
   const auto& used = entry.used;
-  entry.decided = has_enough_sizes(options, entry);
-  entry.power = fit_curve(used, false, entry.decided, options.confidence);
+  entry.decided = has_enough_sizes(entry);
+  entry.power = fit_curve(used, false, entry.decided);
   if (!entry.decided) return entry;
-  entry.with_log = fit_curve(used, true, true, options.confidence);
-  entry.curvature = curvature(used, options.confidence);
+  entry.with_log = fit_curve(used, true, true);
+  entry.curvature = curvature(used);
   entry.log_weight = log_weight(used);
   decide_growth(entry);
   return entry;
 }
 
-std::vector<ScalingEntry> scaling(const StudyTally& tally, const FitOptions& options) {
+std::vector<ScalingEntry> scaling(const StudyTally& tally) {
   std::vector<ScalingEntry> entries(tally.curves.size() * kQuantities.size());
   for_each_in_threads(available_threads(), entries.size(), [&](std::uint32_t, std::size_t index) {
     const CurveTally& curve = tally.curves[index / kQuantities.size()];
     const Quantity quantity = kQuantities[index % kQuantities.size()];
     ScalingEntry& entry = entries[index];
-    entry = fit_scaling(samples(curve, quantity), options);
+    entry = fit_scaling(samples(curve, quantity));
     if (quantity == Quantity::wall_s && !curve.has_timing_rows) refuse_untimed(entry);
     entry.key = curve.key;
     entry.quantity = quantity;
@@ -194,10 +196,6 @@ std::vector<ScalingEntry> scaling(const StudyTally& tally, const FitOptions& opt
   });
   std::erase_if(entries, [](const ScalingEntry& entry) { return entry.all.empty(); });
   return entries;
-}
-
-std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& options) {
-  return scaling(tally_of(results), options);
 }
 
 std::optional<double> theorem_order(const SizeBound& theorem, Quantity quantity) {

@@ -13,12 +13,6 @@
 
 namespace ar3d {
 
-/// Describes one point of a least-squares fit: y = sum over j of coefficient[j] * regressors[j].
-struct FitPoint {
-  std::vector<double> regressors;
-  double y = 0;
-};
-
 /// Is a fit as a linear map of the data: coefficient[j] = sum over s of projection[j][s] * y[s].
 struct LinearFit {
   std::vector<double> coefficients;
@@ -28,31 +22,15 @@ struct LinearFit {
   double square_sum = 0;                        ///< of the residuals
 };
 
-/// Fits by ordinary least squares.
-/// @param points  at least as many as regressors.
+/// Fits y[s] = sum over j of coefficient[j] * x[s][j] by ordinary least squares.
+/// @param x  the regressors at every point; at least as many points as regressors.
 /// @throws InternalError if the regressors are linearly dependent on these points. Cost: O(s^2 p +
 /// p^3) for s points and p regressors.
-LinearFit fit_linear(const std::vector<FitPoint>& points);
-
-/// Returns a confidence interval of coefficient j that holds for independent errors of unequal
-/// variances. It is the HC2 estimate of its variance with Student's t and the degrees of freedom of
-/// Bell and McCaffrey (Imbens and Kolesár, "Robust standard errors in small samples", Review of
-/// Economics and Statistics 98, 2016). Where a point is the mean of a cluster this is the
-/// cluster-robust interval for few clusters: whatever the members of a cluster have in common is
-/// part of its error.
-/// @param fit  with more points than coefficients; else both ends are missing.
-/// @param confidence  in (0, 1). Cost: O(s^2).
-Interval robust_interval(const LinearFit& fit, std::size_t coefficient, double confidence);
-
-struct FitOptions {
-  std::size_t minimum_sizes = 8;  ///< fewer distinct sizes: no interval, "undecided"
-  double minimum_span = 4;        ///< largest over smallest used n; less: "undecided"
-  double confidence = 0.95;       ///< of every interval
-};
+LinearFit fit_linear(const std::vector<std::vector<double>>& x, const std::vector<double>& y);
 
 /// Describes value = exp(log_factor) * n^exponent, or with logarithms * log(n)^log_exponent, fitted
 /// to the means of the logarithms of each size, every size with the same weight: a size is a
-/// cluster, whose graphs may share an error. Intervals are robust_interval's.
+/// cluster, whose graphs may share an error. Intervals hold with 95 %.
 struct CurveFit {
   bool fitted = false;  ///< false with fewer sizes than coefficients
   double log_factor = 0;
@@ -68,8 +46,7 @@ struct CurveFit {
 /// Fits a curve.
 /// @param with_log  fits n^a log(n)^b instead of n^a; all n > 1 then.
 /// @param intervals  false leaves them missing.
-CurveFit fit_curve(std::span<const SizeSample> sizes, bool with_log, bool intervals,
-                   double confidence = 0.95);
+CurveFit fit_curve(std::span<const SizeSample> sizes, bool with_log, bool intervals);
 
 /// Holds how far the sizes are from a straight line in log-log axes.
 struct Curvature {
@@ -86,7 +63,7 @@ struct Curvature {
 
 /// Measures the curvature.
 /// @param sizes  at least six, all n > 1.
-Curvature curvature(std::span<const SizeSample> sizes, double confidence = 0.95);
+Curvature curvature(std::span<const SizeSample> sizes);
 
 /// Returns the Akaike weight, in [0, 1], of n^a log(n)^b among four models. The others are n^a; n^a
 /// with a lower-order term of relative order n^(-1/2) or 1/n; and n^a with one smooth step (a cache
@@ -129,13 +106,12 @@ struct ScalingEntry {
 inline constexpr const char* kUntimed = "no rows of the timing phase";
 
 /// Fits one sample. Cost: O(s^2) for s sizes.
-ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options = {});
+ScalingEntry fit_scaling(std::vector<SizeSample> all);
 
 /// Returns every quantity that was measured in every curve, in the order of the file. Drawing times
 /// are fitted where the curve has rows of the timing phase, and from these alone. Same numbers on
 /// any thread count.
-std::vector<ScalingEntry> scaling(const StudyTally& tally, const FitOptions& options = {});
-std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& options = {});
+std::vector<ScalingEntry> scaling(const StudyTally& tally);
 
 /// Returns the power of n in a theorem's bound on a quantity of the box; nothing for a drawing
 /// time, and for one that promises no box.

@@ -1,4 +1,4 @@
-// The bounds table, and everything else that report and exports show of a study, computed once.
+// Bounds beside what was measured, and everything else that report and exports show of a study, computed once.
 #include "ar3d/analysis/report.h"
 
 namespace ar3d {
@@ -17,8 +17,8 @@ void add_slack(std::int64_t extent, double bound, std::vector<double>& slacks) {
   if (!std::isnan(slack)) slacks.push_back(slack);
 }
 
-AxisBounds axis_bounds(const CurveTally& curve, std::size_t axis) {
-  AxisBounds entry = curve.axes[axis];
+void add_medians(std::size_t axis, CurveTally& curve) {
+  AxisBounds& entry = curve.axes[axis];
   std::vector<double> theorem, instance, published;
   for_each_graph(curve, [&](const DrawnGraph& graph) {
     const std::int64_t extent = graph.extents[axis];
@@ -30,14 +30,13 @@ AxisBounds axis_bounds(const CurveTally& curve, std::size_t axis) {
   entry.median_slack = median(theorem);
   entry.median_instance_slack = median(instance);
   entry.median_published_slack = median(published);
-  return entry;
 }
 
-void add_volume(const CurveTally& curve, BoundsEntry& entry) {
+void add_volume(CurveTally& curve) {
   const auto last = std::find_if(curve.sizes.rbegin(), curve.sizes.rend(),
                                  [](const auto& size) { return size.second.drawn > 0; });
   if (last == curve.sizes.rend()) return;
-  entry.volume_n = last->first;
+  curve.volume_n = last->first;
   std::vector<double> volumes, shares, over_least;
   for (const DrawnGraph& graph : last->second.graphs) {
     volumes.push_back(graph.log2_volume);
@@ -45,9 +44,24 @@ void add_volume(const CurveTally& curve, BoundsEntry& entry) {
     shares.push_back(std::exp(log_volume - log_bound(graph, Quantity::volume)));
     over_least.push_back(std::exp(log_volume - log_volume_at_least(graph)));
   }
-  entry.log2_volume = median(std::move(volumes));
-  entry.volume_share = median(std::move(shares));
-  entry.volume_over_least = median(std::move(over_least));
+  curve.log2_volume = median(std::move(volumes));
+  curve.volume_share = median(std::move(shares));
+  curve.volume_over_least = median(std::move(over_least));
+}
+
+/// Sets what was measured of every curve beside what its theorem promises.
+void add_bounds(const StudyIdentity& study, StudyTally& tally) {
+  const std::vector<AlgorithmRecord> algorithms = side_records<AlgorithmRecord>(study);
+  for (CurveTally& curve : tally.curves) {
+    for (std::size_t axis = 0; axis < 3; ++axis) add_medians(axis, curve);
+    add_volume(curve);
+    const AlgorithmRecord* algorithm =
+        find_algorithm_record(algorithms, curve.key.algorithm, curve.key.options);
+    if (algorithm != nullptr && algorithm->theorem.promises_box()) {
+      curve.theorem_formula = algorithm->theorem.formula();
+      if (algorithm->published) curve.published_formula = algorithm->published->formula();
+    }
+  }
 }
 
 void refuse_laws_above_theorems(const StudyIdentity& identity, std::vector<ScalingEntry>& scaling) {
@@ -64,47 +78,24 @@ void refuse_laws_above_theorems(const StudyIdentity& identity, std::vector<Scali
 
 }  // namespace
 
-std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdentity& study) {
-  std::vector<BoundsEntry> entries;
-  const std::vector<AlgorithmRecord> algorithms = side_records<AlgorithmRecord>(study);
-  for (const CurveTally& curve : tally.curves) {
-    BoundsEntry entry;
-    static_cast<CurveCounts&>(entry) = static_cast<const CurveCounts&>(curve);
-    for (std::size_t axis = 0; axis < 3; ++axis) entry.axes[axis] = axis_bounds(curve, axis);
-    add_volume(curve, entry);
-    const AlgorithmRecord* algorithm =
-        find_algorithm_record(algorithms, curve.key.algorithm, curve.key.options);
-    if (algorithm != nullptr && algorithm->theorem.promises_box()) {
-      entry.theorem_formula = algorithm->theorem.formula();
-      if (algorithm->published) entry.published_formula = algorithm->published->formula();
-    }
-    entries.push_back(std::move(entry));
-  }
-  return entries;
-}
-
-std::vector<BoundsEntry> bounds_table(const Results& results) {
-  return bounds_table(tally_of(results), results);
-}
-
-std::optional<std::size_t> worst_axis(const BoundsEntry& entry) {
+std::optional<std::size_t> worst_axis(const CurveTally& curve) {
   std::optional<std::size_t> worst;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (entry.axes[axis].measured == 0) continue;
-    if (!worst || entry.axes[axis].worst_slack < entry.axes[*worst].worst_slack) worst = axis;
+    if (curve.axes[axis].measured == 0) continue;
+    if (!worst || curve.axes[axis].worst_slack < curve.axes[*worst].worst_slack) worst = axis;
   }
   return worst;
 }
 
-StudyAnalysis analyse(const RowView& rows, CheckedRows examination) {
-  StudyAnalysis analysis{rows, std::move(examination.verdict), {}, {}, {}};
-  analysis.tally = tally_of(rows, examination.is_last_repetition);
-  analysis.bounds = bounds_table(analysis.tally, *rows.identity);
+StudyAnalysis analyse(const RowView& rows, CheckVerdict verdict) {
+  StudyTally tally = tally_of(rows, verdict.is_last_repetition);
+  StudyAnalysis analysis{rows, std::move(verdict), std::move(tally), {}};
+  add_bounds(*rows.identity, analysis.tally);
   analysis.scaling = scaling(analysis.tally);
   refuse_laws_above_theorems(*rows.identity, analysis.scaling);
   return analysis;
 }
 
-StudyAnalysis analyse(const RowView& rows) { return analyse(rows, examine(rows)); }
+StudyAnalysis analyse(const RowView& rows) { return analyse(rows, check(rows)); }
 
 }  // namespace ar3d

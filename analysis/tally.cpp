@@ -342,9 +342,4 @@ StudyTally tally_of(const RowView& rows, const std::vector<bool>& is_last_repeti
   return tallying.finish();
 }
 
-StudyTally tally_of(const Results& results) {
-  const RowView rows = view_of(results);
-  return tally_of(rows, examine(rows).is_last_repetition);
-}
-
 }  // namespace ar3d

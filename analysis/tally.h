@@ -93,7 +93,7 @@ struct CensoredRow {
 
 /// Is one axis of one curve. Slack is 1 - extent / bound, computed from the extents: 0 touches the
 /// bound, a negative one breaks it; missing without a bound. Statistics are over graphs (the first
-/// ok repetition of each); medians, which bounds_table fills in, over those that the tally keeps.
+/// ok repetition of each); medians, which analyse() fills in, over those that the tally keeps.
 struct AxisBounds {
   std::size_t measured = 0;  ///< kept graphs with an extent and a positive finite theorem's bound
   double worst_slack = kMissing;  ///< the smallest against the theorem's bound
@@ -113,8 +113,8 @@ double log_positive(double value);
 /// Counts the values of RunStatus.
 inline constexpr std::size_t kNumRunStatuses = static_cast<std::size_t>(RunStatus::measured) + 1;
 
-/// Holds what is counted of all rows of one curve.
-struct CurveCounts {
+/// Holds what all rows of one curve gave.
+struct CurveTally {
   CurveKey key;
   std::size_t rows = 0;
   std::size_t instances = 0;   ///< graphs, drawn or not
@@ -125,20 +125,27 @@ struct CurveCounts {
   std::int64_t largest_n = -1;
   std::array<AxisBounds, 3> axes;
   std::array<std::uint64_t, 8> bends{};  ///< edges with b bends over all drawn graphs; 7 or more
-
-  std::size_t count(RunStatus status) const {
-    return rows_of_status[static_cast<std::size_t>(status)];
-  }
-};
-
-/// Holds what all rows of one curve gave.
-struct CurveTally : CurveCounts {
-  bool has_timing_rows = false;  ///< some ok row is of the timing phase
+  bool has_timing_rows = false;          ///< some ok row is of the timing phase
   /// Is true if no theorem promises a box, so that the unit of coordinates is the drawings' own:
   /// extents and bounds are missing, and volumes are over the smallest distance of vertices.
   bool has_own_unit = false;
   std::map<std::int64_t, SizeTally> sizes;
   std::vector<CensoredRow> censored;  ///< the first 1000 with n >= 1, by n
+  // What analyse() fills in, beside the medians of the axes.
+  std::int64_t volume_n = -1;     ///< the largest n that was drawn: volumes are of its graphs
+  double log2_volume = kMissing;  ///< lattice points of the box, median
+  /// Is the volume over that of the theorem's own box, the product of bound + 1, median. It has the
+  /// order that the very theorem promises; missing without a theorem's bound.
+  double volume_share = kMissing;
+  /// Is the volume over volume_at_least, median of the same graphs; missing if the rows lack that
+  /// column.
+  double volume_over_least = kMissing;
+  std::string theorem_formula;    ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
+  std::string published_formula;  ///< empty if nobody published a bound
+
+  std::size_t count(RunStatus status) const {
+    return rows_of_status[static_cast<std::size_t>(status)];
+  }
 };
 
 /// Names batches of one size that so many threads or ranks shared: values of the first 10,000 rows.
@@ -164,9 +171,8 @@ struct StudyTally {
 };
 
 /// Tallies all rows.
-/// @param is_last_repetition  of examine(rows). Cost: O(r) expected for r rows in any order; the
+/// @param is_last_repetition  of check(rows). Cost: O(r) expected for r rows in any order; the
 /// memory of graphs whose repetitions are not all read yet comes on top.
 StudyTally tally_of(const RowView& rows, const std::vector<bool>& is_last_repetition);
-StudyTally tally_of(const Results& results);
 
 }  // namespace ar3d

@@ -77,11 +77,11 @@ bool count_drawings_of(const std::string& path) {
 int conclude(const JournaledStudy& study, bool force, bool unchanged) {
   if (study.spec.count && !count_drawings_of(study.results)) return kInterrupted;
   const StudyRows rows(study.results);
-  CheckedRows examination = judge(rows.view(), study.results);
-  int exit_code = examination.verdict.exit_code();
-  nlohmann::ordered_json json = verdict_json(examination.verdict, *rows.view().identity);
+  CheckVerdict verdict = judge(rows.view(), study.results);
+  int exit_code = verdict.exit_code();
+  nlohmann::ordered_json json = verdict_json(verdict, *rows.view().identity);
   json["results"] = study.results;
-  tell(json, "{}", summary(examination.verdict));
+  tell(json, "{}", summary(verdict));
   note(stdout, "results  {}\n", study.results);
   const bool is_timed = std::ranges::any_of(
       study.spec.sweeps, [](const Sweep& sweep) { return sweep.timed.most > 0; });
@@ -94,7 +94,7 @@ int conclude(const JournaledStudy& study, bool force, bool unchanged) {
     note(stdout, "shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
          study.shard.index, study.shard.count);
   } else {
-    write_report(study.results, analyse(rows.view(), std::move(examination)));
+    write_report(study.results, analyse(rows.view(), std::move(verdict)));
     if (study.spec.keep_drawings != KeptDrawings::none) {
       const int kept = keep_drawings_beside(study.results, rows.view(), study.spec.keep_drawings,
                                             force, unchanged);
@@ -124,7 +124,7 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
       outcome.missing, shell_word(study.results));
   if (is_interrupted() && !manner.json) return kInterrupted;
   const StudyRows rows(study.results);
-  const CheckVerdict verdict = judge(rows.view(), study.results).verdict;
+  const CheckVerdict verdict = judge(rows.view(), study.results);
   if (manner.json) print_json(verdict_json(verdict, *rows.view().identity));
   return is_interrupted() ? kInterrupted : verdict.exit_code();
 }

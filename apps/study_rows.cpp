@@ -161,7 +161,7 @@ int show(const StatusArguments& arguments) {
   const StudyRows rows(arguments.file);
   standing.rows = rows.view().count;
   standing.identity.planned_rows = rows.view().planned;
-  const CheckVerdict verdict = judge(rows.view(), arguments.file).verdict;
+  const CheckVerdict verdict = judge(rows.view(), arguments.file);
   if (!manner.json) print_details(standing, arguments.file);
   nlohmann::ordered_json json = standing_json(standing);
   json["check"] = verdict_json(verdict, *rows.view().identity);
@@ -250,13 +250,13 @@ std::string left_out_text(const StudyIdentity& identity) {
                      files.read, files.given);
 }
 
-CheckedRows judge(const RowView& rows, const std::string& file) {
+CheckVerdict judge(const RowView& rows, const std::string& file) {
   require_one_study(rows, file);
-  CheckedRows examination = examine(rows);
-  if (examination.verdict.unproved > 0 && rows.identity != nullptr) {
-    examination.verdict.accepts_unproved = accepts_unproved(rows.identity->spec);
+  CheckVerdict verdict = check(rows);
+  if (verdict.unproved > 0 && rows.identity != nullptr) {
+    verdict.accepts_unproved = accepts_unproved(rows.identity->spec);
   }
-  return examination;
+  return verdict;
 }
 
 void add_study_status(CLI::App& study, int& exit_code) {
@@ -292,7 +292,7 @@ void add_check(CLI::App& app, int& exit_code) {
       "smoke.h5");
   verb->callback([path, accepts_unproved, &exit_code] {
     const StudyRows rows(*path);
-    CheckVerdict verdict = judge(rows.view(), *path).verdict;
+    CheckVerdict verdict = judge(rows.view(), *path);
     verdict.accepts_unproved = verdict.accepts_unproved || *accepts_unproved;
     const StudyIdentity& identity = *rows.view().identity;
     tell(verdict_json(verdict, identity), "{}{}", summary(verdict), left_out_text(identity));

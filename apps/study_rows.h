@@ -43,6 +43,6 @@ nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIden
 
 /// Returns the one verdict on a study. @param file  for messages.
 /// @throws InputError if the rows cannot be of one study.
-CheckedRows judge(const RowView& rows, const std::string& file);
+CheckVerdict judge(const RowView& rows, const std::string& file);
 
 }  // namespace ar3d

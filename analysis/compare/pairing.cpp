@@ -117,7 +117,7 @@ std::size_t most_bends(const RunRecord& run) {
   return most;
 }
 
-Effect direction(bool worse) { return worse ? Effect::worse : Effect::better; }
+Verdict direction(bool worse) { return worse ? Verdict::regressed : Verdict::improved; }
 
 /// Judged right is more than drawn, and drawn more than not.
 int rank_of(RunStatus status) {
@@ -128,20 +128,20 @@ void compare_status(const RunRecord& base, const RunRecord& now,
                     std::vector<FixedChange>& changes) {
   const bool violated = now.status == RunStatus::violated || now.violations > 0;
   if (violated) {
-    changes.push_back({Effect::violated, fmt::format("violated: {}", now.message)});
+    changes.push_back({Verdict::violated, fmt::format("violated: {}", now.message)});
   } else if (base.status != now.status) {
     const int before = rank_of(base.status), after = rank_of(now.status);
-    const Effect effect = before == after ? Effect::other : direction(after < before);
-    changes.push_back({effect, fmt::format("status {} became {}", to_string(base.status),
-                                           to_string(now.status))});
+    const Verdict verdict = before == after ? Verdict::pass : direction(after < before);
+    changes.push_back({verdict, fmt::format("status {} became {}", to_string(base.status),
+                                            to_string(now.status))});
   } else if (base.violations >= 0 && now.violations < 0 && now.status == RunStatus::ok) {
-    changes.push_back({Effect::worse, "no longer certified"});
+    changes.push_back({Verdict::regressed, "no longer certified"});
   } else if (is_unproved(base) != is_unproved(now)) {
     changes.push_back(
         is_unproved(now)
-            ? FixedChange{Effect::worse,
+            ? FixedChange{Verdict::regressed,
                           fmt::format("no longer proved (certificate {})", now.certificate)}
-            : FixedChange{Effect::better, "proved now"});
+            : FixedChange{Verdict::improved, "proved now"});
   }
 }
 
@@ -151,7 +151,7 @@ void compare_volume(const RunRecord& base, const RunRecord& now,
   const Wide before = volume(base), after = volume(now);
   const std::string boxes = fmt::format("box {} became {}", box(base), box(now));
   if (before == after) {
-    changes.push_back({Effect::other, boxes});
+    changes.push_back({Verdict::pass, boxes});
   } else {
     changes.push_back({direction(after > before),
                        fmt::format("{} volume: {}", after > before ? "larger" : "smaller", boxes)});
@@ -168,7 +168,7 @@ void compare_bends(const RunRecord& base, const RunRecord& now, std::vector<Fixe
     return;
   }
   const Wide before = total_bends(base), after = total_bends(now);
-  changes.push_back({before == after ? Effect::other : direction(after > before),
+  changes.push_back({before == after ? Verdict::pass : direction(after > before),
                      fmt::format("bends in all: {:.0f} became {:.0f}", before.convert_to<double>(),
                                  after.convert_to<double>())});
 }
@@ -276,7 +276,7 @@ std::vector<FixedChange> fixed_changes(const PairedRow& row) {
   std::vector<FixedChange> changes;
   compare_status(base, now, changes);
   if (!base.graph_hash.empty() && !now.graph_hash.empty() && base.graph_hash != now.graph_hash) {
-    changes.push_back({Effect::worse, "the same family, n and seed give another graph"});
+    changes.push_back({Verdict::regressed, "the same family, n and seed give another graph"});
     return changes;
   }
   if (is_measured(row)) {
@@ -287,7 +287,7 @@ std::vector<FixedChange> fixed_changes(const PairedRow& row) {
   compare_bends(base, now, changes);
   const bool drawn = !base.drawing_hash.empty() && !now.drawing_hash.empty();
   if (changes.empty() && drawn && base.drawing_hash != now.drawing_hash) {
-    changes.push_back({Effect::other, "another drawing of the same volume and bends"});
+    changes.push_back({Verdict::pass, "another drawing of the same volume and bends"});
   }
   return changes;
 }

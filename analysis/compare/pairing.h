@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ar3d/store/columns/curves.h"
@@ -56,19 +57,20 @@ double round_log_time_ratio(const PairedCell& cell);
 /// one.
 std::size_t rows_without_time(const PairedCell& cell);
 
-/// Says what a change of a value without noise means.
-enum class Effect { other, better, worse, violated };
+/// Sorts by what outweighs what. unjudged: nothing got worse among what has no noise, and the
+/// times were not judged; inconclusive: they were, and their noise, or too few pairs, leaves it
+/// open.
+enum class Verdict { pass, improved, unjudged, inconclusive, regressed, violated };
+/// Returns "PASS", "IMPROVED", "UNJUDGED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"
+const char* to_string(Verdict verdict);
 
-/// Describes one such change of one row.
-struct FixedChange {
-  Effect effect = Effect::other;
-  std::string message;  ///< one line: what, before, after
-};
+/// Is what a change of a value without noise means, and in one line what it is, before and after.
+using FixedChange = std::pair<Verdict, std::string>;
 
 /// Compares status, certificate, graph, volume (exact, lattice points of the box) and bends of one
 /// pair of rows. Rows without a guarantee are compared by volume in smallest distances of vertices,
 /// crossings and smallest angles, where 1 % of volume or angle is no change. Values that one of the
-/// two misses are not compared; a drawing that differs in something else is `other`.
+/// two misses are not compared; a drawing that differs in something else passes.
 std::vector<FixedChange> fixed_changes(const PairedRow& row);
 
 /// Returns log2(new / base) of the volume that fixed_changes compares; 0 where one of the two has
@@ -84,7 +86,7 @@ struct CountChange {
 };
 CountChange count_change(const PairedCell& cell);
 
-/// Returns worse or better if one of the two is more than log(1 + its threshold) away from 0.
+/// Returns a change for the worse or the better if one of the two is more than log(1 + its threshold) away from 0.
 std::vector<FixedChange> count_changes(const CountChange& change, double instruction_threshold,
                                        double cycle_threshold);
 

@@ -83,10 +83,10 @@ CellValues values_of(const GraphTable& graphs) {
   }
   for (std::size_t i = 1; i < sums.size(); ++i) {
     const double mean = sums[i] / static_cast<double>(graphs.size());
-    values.of[i].value = i < 4 ? std::exp(mean) : mean;
-    if (i >= 3) values.of[i].exact = content_hash(exact[i]);
+    values.means[i] = i < 4 ? std::exp(mean) : mean;
+    if (i >= 3) values.exact[i] = content_hash(exact[i]);
   }
-  values.of[4].value = edges > 0 ? sums[4] / edges : kMissing;
+  values.means[4] = edges > 0 ? sums[4] / edges : kMissing;
   if (!timing.empty()) rounds = std::move(timing);
   if (rounds.size() == graphs.size()) values.times = side_times(rounds);
   return values;

@@ -104,8 +104,7 @@ void add_values(std::size_t result, const CommitResults& commit, const CellTable
   for (const auto& [cell, values] : table.cells) {
     for (std::size_t i = 0; i < kMeasures.size(); ++i) {
       const bool is_time = kMeasures[i] == Measure::time;
-      const double value =
-          is_time ? std::exp(values.times.level - more + unit) : values.of[i].value;
+      const double value = is_time ? std::exp(values.times.level - more + unit) : values.means[i];
       if (!std::isfinite(value) ||
           (is_time && !(commit.untimed.empty() && values.times.rounds > 0))) {
         continue;
@@ -113,10 +112,10 @@ void add_values(std::size_t result, const CommitResults& commit, const CellTable
       OpenLine& entry = lines[{commit.environment, commit.study, cell, kMeasures[i]}];
       entry.line.results.push_back(result);
       entry.line.values.push_back(value);
-      entry.exact.push_back(values.of[i].exact);
+      entry.exact.push_back(values.exact[i]);
       entry.times.push_back(values.times);
       entry.times.back().level -= more;
-      entry.is_counted &= std::isfinite(values.of[static_cast<std::size_t>(Measure::cycles)].value);
+      entry.is_counted &= std::isfinite(values.means[static_cast<std::size_t>(Measure::cycles)]);
     }
   }
 }

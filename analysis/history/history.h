@@ -32,20 +32,17 @@ struct HistoryCell {
   friend auto operator<=>(const HistoryCell&, const HistoryCell&) = default;
 };
 
-/// Is a measure of a cell in one results file; missing (NaN) where a row of the cell has none.
-struct CellValue {
-  /// Is a geometric mean over the graphs; of bends (per edge), crossings and the smallest angle in
-  /// degrees an arithmetic one. Volumes are lattice points; of measured drawings they are in
-  /// smallest distances of vertices.
-  double value = kMissing;
-  std::string exact = {};  ///< of a drawing: a hash of those of every single graph; what is
-                           ///< measured has three digits there
-};
-
 /// Describes the measures of a cell in one results file.
 struct CellValues {
-  SideTimes times;                             ///< of the timing phase if the cell has it
-  std::array<CellValue, kMeasures.size()> of;  ///< but the time
+  SideTimes times;  ///< of the timing phase if the cell has it
+  /// Are geometric means over the graphs; of bends (per edge), crossings and the smallest angle in
+  /// degrees arithmetic ones. Volumes are lattice points; of measured drawings they are in smallest
+  /// distances of vertices. Missing is the time, and what a row of the cell has not.
+  std::array<double, kMeasures.size()> means{kMissing, kMissing, kMissing, kMissing,
+                                             kMissing, kMissing, kMissing};
+  /// Holds, of drawings, hashes of the values of every single graph; what is measured has three
+  /// digits there.
+  std::array<std::string, kMeasures.size()> exact;
 };
 
 struct CellTable {
@@ -126,7 +123,7 @@ struct HistoryLine {
   HistoryCell cell;
   Measure measure = Measure::time;
   std::vector<std::size_t> results;  ///< in History::results, ascending, one a value
-  std::vector<double> values;        ///< as CellValue::value, none missing; times in seconds
+  std::vector<double> values;        ///< as CellValues::means, none missing; times in seconds
   /// Is false for too few results of its setting, and for a time of which all results have counts.
   bool is_judged = true;
 };

@@ -24,35 +24,25 @@ constexpr double kProfileEnd = 4;  // decades behind the best
 constexpr int kProfileSteps = 80;
 constexpr std::size_t kMeasured = 2;  // measures of bins and of scatters with all points
 
-/// Puts C2 before C10: runs of digits are compared as numbers.
-struct AsPeopleSort {
-  bool operator()(std::string_view a, std::string_view b) const {
-    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    const std::string_view all_a = a, all_b = b;
-    while (!a.empty() && !b.empty()) {
-      if (is_digit(a[0]) && is_digit(b[0])) {
-        const std::string_view one = number_at(a), other = number_at(b);
-        if (one.size() != other.size()) return one.size() < other.size();
-        if (one != other) return one < other;
-        continue;
-      }
-      if (a[0] != b[0]) return a < b;  // by bytes without a sign
-      a.remove_prefix(1);
-      b.remove_prefix(1);
+/// A text that sorts as people do, C2 before C10: before a run of digits, without leading zeros,
+/// stands how many there are.
+std::string as_people_sort(const std::string& name) {
+  constexpr std::string_view kDigits = "0123456789";
+  std::string key;
+  for (std::size_t at = 0; at < name.size();) {
+    std::size_t end = std::min(name.find_first_not_of(kDigits, at), name.size());
+    if (end > at) {
+      at = std::min(name.find_first_not_of('0', at), end);
+      key += '0';
+      key += static_cast<char>(std::min<std::size_t>(end - at, 255));
+    } else {
+      ++end;
     }
-    return a.empty() != b.empty() ? a.empty() : all_a < all_b;
+    key.append(name, at, end - at);
+    at = end;
   }
-
- private:
-  /// Takes the digits away. @return those behind leading zeros.
-  static std::string_view number_at(std::string_view& text) {
-    const std::size_t end = std::min(text.find_first_not_of("0123456789"), text.size());
-    std::string_view digits = text.substr(0, end);
-    text.remove_prefix(end);
-    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
-    return digits;
-  }
-};
+  return key;
+}
 
 /// Holds what graphs are compared by: a decimal logarithm, the less the better. Counts, which may
 /// be 0, are compared by one more.
@@ -78,11 +68,13 @@ struct CollectionDrawing {
   std::array<double, kCompared.size()> logs{};
 };
 
-/// One graph, and what the settings made of it.
-struct CollectionGraph {
-  std::int64_t n = 0;
-  std::map<std::size_t, CollectionDrawing> drawn;  // by setting of the collection
-};
+/// What the settings of a collection made of one graph, by setting.
+using CollectionGraph = std::map<std::size_t, CollectionDrawing>;
+
+const DrawnGraph& first_of(const CollectionGraph& drawn) { return *drawn.begin()->second.graph; }
+std::int64_t size_of(const CollectionGraph& drawn) {
+  return std::max<std::int64_t>(1, first_of(drawn).n);
+}
 
 /// The graphs of one name with parameters, all that the tally keeps.
 struct Collection {
@@ -121,18 +113,14 @@ std::vector<Collection> collections_of(const std::vector<Section>& sections) {
       collection.is_timed &= curve.tally->has_timing_rows;
       for (const auto& [n, size] : curve.tally->sizes) {
         for (const DrawnGraph& graph : size.graphs) {
-          CollectionGraph& known = collection.graphs[{graph.seed, graph.instance}];
-          known.n = std::max<std::int64_t>(1, graph.n);
-          known.drawn[setting].graph = &graph;
+          collection.graphs[{graph.seed, graph.instance}][setting].graph = &graph;
         }
       }
     }
   }
   for (Collection& collection : all) {
-    for (auto& [key, graph] : collection.graphs) {
-      for (auto& [setting, drawing] : graph.drawn) {
-        drawing.logs = collection.logs_of(*drawing.graph);
-      }
+    for (auto& [key, drawn] : collection.graphs) {
+      for (auto& [setting, drawing] : drawn) drawing.logs = collection.logs_of(*drawing.graph);
     }
   }
   return all;
@@ -149,9 +137,9 @@ struct GraphPair {
 std::vector<GraphPair> pairs_of(const Collection& collection, std::size_t measure, std::size_t a,
                                 std::size_t b) {
   std::vector<GraphPair> pairs;
-  for (const auto& [key, graph] : collection.graphs) {
-    const auto one = graph.drawn.find(a), other = graph.drawn.find(b);
-    if (one == graph.drawn.end() || other == graph.drawn.end()) continue;
+  for (const auto& [key, drawn] : collection.graphs) {
+    const auto one = drawn.find(a), other = drawn.find(b);
+    if (one == drawn.end() || other == drawn.end()) continue;
     const GraphPair pair{one->second.graph, other->second.graph, one->second.logs[measure],
                          other->second.logs[measure]};
     if (!std::isnan(pair.ratio())) pairs.push_back(pair);
@@ -177,157 +165,143 @@ void for_each_pair(const Collection& collection, const Use& use) {
   }
 }
 
-struct CollectionTables {
-  TableMaker& make;
-  Table& collections = make.table("collections");
-  Table& profile = make.table("profile");
-  Table& common = make.table("common_profile");
-  Table& pairs = make.table("pairs");
-  Table& pair_counts = make.table("pair_counts");
-  Table& bins = make.table("bins");
-  Table& groups = make.table("group_medians");
+void add_drawn(const Collection& of, Table& table) {
+  for (const auto& [setting, curve] : of.settings) {
+    const CurveTally& tally = *curve->tally;
+    std::size_t drawn = 0;
+    for (const auto& [n, size] : tally.sizes) drawn += size.drawn;
+    const std::size_t unfinished = tally.count(RunStatus::timeout) +
+                                   tally.count(RunStatus::out_of_memory) +
+                                   tally.count(RunStatus::crashed);
+    table.add({of.family, setting,
+               of.is_relative ? "cubes of the smallest vertex distance" : "lattice points",
+               tally.instances, drawn,
+               static_cast<double>(drawn) / static_cast<double>(tally.instances),
+               tally.count(RunStatus::refused), tally.violations, unfinished});
+  }
+}
 
-  void add_drawn(const Collection& of) {
-    for (const auto& [setting, curve] : of.settings) {
-      const CurveTally& tally = *curve->tally;
-      std::size_t drawn = 0;
-      for (const auto& [n, size] : tally.sizes) drawn += size.drawn;
-      const std::size_t unfinished = tally.count(RunStatus::timeout) +
-                                     tally.count(RunStatus::out_of_memory) +
-                                     tally.count(RunStatus::crashed);
-      collections.add({of.family, setting,
-                       of.is_relative ? "cubes of the smallest vertex distance" : "lattice points",
-                       tally.instances, drawn,
-                       static_cast<double>(drawn) / static_cast<double>(tally.instances),
-                       tally.count(RunStatus::refused), tally.violations, unfinished});
+/// The share of graphs that each setting draws within a factor of the best (Dolan and Moré,
+/// Benchmarking optimization software with performance profiles, Mathematical Programming 91,
+/// 2002).
+void add_profile(const Collection& of, std::size_t measure, bool is_common, Table& table) {
+  std::vector<std::vector<double>> behind(of.settings.size());
+  std::size_t graphs = 0;
+  for (const auto& [key, drawn] : of.graphs) {
+    if (is_common && drawn.size() < of.settings.size()) continue;
+    double best = kMissing;
+    std::vector<std::pair<std::size_t, double>> costs;
+    for (const auto& [setting, drawing] : drawn) {
+      const double value = drawing.logs[measure];
+      if (std::isnan(value)) continue;
+      costs.emplace_back(setting, kCompared[measure].is_larger_better ? -value : value);
+      best = std::fmin(best, costs.back().second);
+    }
+    graphs += !costs.empty();
+    for (const auto& [setting, cost] : costs) behind[setting].push_back(cost - best);
+  }
+  double end = 0.1;
+  for (std::vector<double>& decades : behind) {
+    std::ranges::sort(decades);
+    if (!decades.empty()) end = std::max(end, std::min(kProfileEnd, decades.back()));
+  }
+  for (std::size_t s = 0; s < behind.size(); ++s) {
+    for (int step = 0; step <= kProfileSteps && !behind[s].empty(); ++step) {
+      const double x = end * step / kProfileSteps;
+      const auto within = std::ranges::upper_bound(behind[s], x + 1e-9) - behind[s].begin();
+      table.add({of.family, kCompared[measure].name, of.settings[s].first, std::pow(10, x),
+                 static_cast<double>(within) / static_cast<double>(graphs), graphs});
     }
   }
+}
 
-  /// The share of graphs that each setting draws within a factor of the best (Dolan and Moré,
-  /// Benchmarking optimization software with performance profiles, Mathematical Programming 91,
-  /// 2002).
-  void add_profile(const Collection& of, std::size_t measure, bool is_common) {
-    std::vector<std::vector<double>> behind(of.settings.size());
-    std::size_t graphs = 0;
-    for (const auto& [key, one] : of.graphs) {
-      if (is_common && one.drawn.size() < of.settings.size()) continue;
-      double best = kMissing;
-      std::vector<std::pair<std::size_t, double>> costs;
-      for (const auto& [setting, drawing] : one.drawn) {
-        const double value = drawing.logs[measure];
-        if (std::isnan(value)) continue;
-        costs.emplace_back(setting, kCompared[measure].is_larger_better ? -value : value);
-        best = std::fmin(best, costs.back().second);
-      }
-      graphs += !costs.empty();
-      for (const auto& [setting, cost] : costs) behind[setting].push_back(cost - best);
-    }
-    double end = 0.1;
-    for (std::vector<double>& decades : behind) {
-      std::ranges::sort(decades);
-      if (!decades.empty()) end = std::max(end, std::min(kProfileEnd, decades.back()));
-    }
-    for (std::size_t s = 0; s < behind.size(); ++s) {
-      for (int step = 0; step <= kProfileSteps && !behind[s].empty(); ++step) {
-        const double x = end * step / kProfileSteps;
-        const auto within = std::ranges::upper_bound(behind[s], x + 1e-9) - behind[s].begin();
-        (is_common ? common : profile)
-            .add({of.family, kCompared[measure].name, of.settings[s].first, std::pow(10, x),
-                  static_cast<double>(within) / static_cast<double>(graphs), graphs});
-      }
-    }
-  }
-
-  void add_pairs(const Collection& of, std::size_t measure, std::size_t most_points) {
-    for_each_pair(of, [&](std::size_t a, std::size_t b) {
-      const std::vector<GraphPair> all = pairs_of(of, measure, a, b);
-      if (all.empty()) return;
-      const std::size_t one = of.settings[a].first, other = of.settings[b].first;
-      std::vector<double> ratios;
-      for (const GraphPair& pair : all) ratios.push_back(std::pow(10, pair.ratio()));
-      const auto below = static_cast<std::size_t>(
-          std::ranges::count_if(all, [](const GraphPair& pair) { return pair.ratio() < -kEqual; }));
-      const auto above = static_cast<std::size_t>(
-          std::ranges::count_if(all, [](const GraphPair& pair) { return pair.ratio() > kEqual; }));
-      const Interval interval = median_interval(ratios);
-      pair_counts.add({of.family, kCompared[measure].name, one, other, all.size(),
-                       static_cast<double>(above) / static_cast<double>(all.size()),
-                       all.size() - above - below, median(ratios), interval.low, interval.high,
-                       sign_test(below, above)});
-      const auto add = [&](const GraphPair& pair, bool is_outlier) {
-        pairs.add({of.family, kCompared[measure].name, one, other, kCompared[measure].value(pair.x),
-                   kCompared[measure].value(pair.y), std::pow(10, pair.ratio()),
-                   make.graphs.add(of.settings[a].second->place, *pair.one),
-                   make.graphs.add(of.settings[b].second->place, *pair.other), is_outlier});
-      };
-      for (const GraphPair& pair : outliers(all)) add(pair, true);
-      for (const GraphPair& pair : evenly(all, most_points)) add(pair, false);
-    });
-  }
-
-  void add_bins(const Collection& of, std::size_t measure) {
-    std::set<std::int64_t> all_n;
-    for (const auto& [key, one] : of.graphs) all_n.insert(one.n);
-    for (const SizeBin& bin : size_bins(all_n, kMostBins)) {
-      std::map<std::size_t, std::vector<double>> values;
-      std::vector<double> sizes;
-      for (const auto& [key, one] : of.graphs) {
-        if (one.n < bin.first || one.n > bin.last) continue;
-        sizes.push_back(static_cast<double>(one.n));
-        for (const auto& [setting, drawing] : one.drawn) {
-          const double value = drawing.logs[measure];
-          if (!std::isnan(value)) values[setting].push_back(value);
-        }
-      }
-      for (auto& [setting, logs] : values) {
-        bins.add({of.family, kCompared[measure].name, of.settings[setting].first, median(sizes),
-                  kCompared[measure].value(median(std::move(logs)))});
-      }
-    }
-  }
-
-  void add_groups(const Collection& of, std::size_t measure) {
-    struct Group {
-      std::size_t graphs = 0;
-      std::map<std::size_t, std::vector<double>> values;  // by setting
+void add_pairs(TableMaker& make, const Collection& of, std::size_t measure,
+               std::size_t most_points) {
+  Table &pairs = make.table("pairs"), &pair_counts = make.table("pair_counts");
+  for_each_pair(of, [&](std::size_t a, std::size_t b) {
+    const std::vector<GraphPair> all = pairs_of(of, measure, a, b);
+    if (all.empty()) return;
+    const std::size_t one = of.settings[a].first, other = of.settings[b].first;
+    std::vector<double> ratios;
+    for (const GraphPair& pair : all) ratios.push_back(std::pow(10, pair.ratio()));
+    const auto below = static_cast<std::size_t>(
+        std::ranges::count_if(all, [](const GraphPair& pair) { return pair.ratio() < -kEqual; }));
+    const auto above = static_cast<std::size_t>(
+        std::ranges::count_if(all, [](const GraphPair& pair) { return pair.ratio() > kEqual; }));
+    const Interval interval = median_interval(ratios);
+    pair_counts.add({of.family, kCompared[measure].name, one, other, all.size(),
+                     static_cast<double>(above) / static_cast<double>(all.size()),
+                     all.size() - above - below, median(ratios), interval.low, interval.high,
+                     sign_test(below, above)});
+    const auto add = [&](const GraphPair& pair, bool is_outlier) {
+      pairs.add({of.family, kCompared[measure].name, one, other, kCompared[measure].value(pair.x),
+                 kCompared[measure].value(pair.y), std::pow(10, pair.ratio()),
+                 make.graphs.add(of.settings[a].second->place, *pair.one),
+                 make.graphs.add(of.settings[b].second->place, *pair.other), is_outlier});
     };
-    const bool has_groups = std::ranges::any_of(of.graphs, [](const auto& graph) {
-      return !graph.second.drawn.begin()->second.graph->group.empty();
-    });
-    if (!has_groups) return;
-    std::map<std::string, Group, AsPeopleSort> all;
-    for (const auto& [key, one] : of.graphs) {
-      const std::string& group_name = one.drawn.begin()->second.graph->group;
-      const std::string name = group_name.empty() ? "(no group)" : group_name;
-      Group& group = all[name];
-      ++group.graphs;
-      for (const auto& [setting, drawing] : one.drawn) {
+    for (const GraphPair& pair : outliers(all)) add(pair, true);
+    for (const GraphPair& pair : evenly(all, most_points)) add(pair, false);
+  });
+}
+
+void add_bins(const Collection& of, std::size_t measure, Table& table) {
+  std::set<std::int64_t> all_n;
+  for (const auto& [key, drawn] : of.graphs) all_n.insert(size_of(drawn));
+  for (const auto& [first, last] : size_bins(all_n, kMostBins)) {
+    std::map<std::size_t, std::vector<double>> values;
+    std::vector<double> sizes;
+    for (const auto& [key, drawn] : of.graphs) {
+      const std::int64_t n = size_of(drawn);
+      if (n < first || n > last) continue;
+      sizes.push_back(static_cast<double>(n));
+      for (const auto& [setting, drawing] : drawn) {
         const double value = drawing.logs[measure];
-        if (!std::isnan(value)) group.values[setting].push_back(kCompared[measure].value(value));
+        if (!std::isnan(value)) values[setting].push_back(value);
       }
     }
-    for (const auto& [name, group] : all) {
-      for (const auto& [setting, values] : group.values) {
-        groups.add({of.family, kCompared[measure].name, name, group.graphs,
-                    of.settings[setting].first, median(values), quantile(values, 0.1),
-                    quantile(values, 0.9)});
-      }
+    for (auto& [setting, logs] : values) {
+      table.add({of.family, kCompared[measure].name, of.settings[setting].first, median(sizes),
+                 kCompared[measure].value(median(std::move(logs)))});
     }
   }
-};
+}
+
+void add_groups(const Collection& of, std::size_t measure, Table& table) {
+  std::map<std::pair<std::string, std::string>, std::vector<const CollectionGraph*>> groups;
+  for (const auto& [key, drawn] : of.graphs) {
+    const std::string& group = first_of(drawn).group;
+    const std::string name = group.empty() ? "(no group)" : group;
+    groups[{as_people_sort(name), name}].push_back(&drawn);
+  }
+  if (groups.size() == 1 && first_of(*groups.begin()->second.front()).group.empty()) return;
+  for (const auto& [name, graphs] : groups) {
+    std::map<std::size_t, std::vector<double>> values_of;  // by setting
+    for (const CollectionGraph* drawn : graphs) {
+      for (const auto& [setting, drawing] : *drawn) {
+        const double value = drawing.logs[measure];
+        if (!std::isnan(value)) values_of[setting].push_back(kCompared[measure].value(value));
+      }
+    }
+    for (const auto& [setting, values] : values_of) {
+      table.add({of.family, kCompared[measure].name, name.second, graphs.size(),
+                 of.settings[setting].first, median(values), quantile(values, 0.1),
+                 quantile(values, 0.9)});
+    }
+  }
+}
 
 }  // namespace
 
 void add_collections(TableMaker& make) {
-  CollectionTables tables{make};
   for (const Collection& collection : collections_of(make.sections)) {
-    tables.add_drawn(collection);
+    add_drawn(collection, make.table("collections"));
     for (std::size_t m = 0; m < kCompared.size(); ++m) {
       const bool is_first = m < kMeasured;
-      for (const bool is_common : {false, true}) tables.add_profile(collection, m, is_common);
-      tables.add_groups(collection, m);
-      tables.add_pairs(collection, m, is_first ? kScatterPoints : kFewPoints);
-      if (is_first) tables.add_bins(collection, m);
+      add_profile(collection, m, false, make.table("profile"));
+      add_profile(collection, m, true, make.table("common_profile"));
+      add_groups(collection, m, make.table("group_medians"));
+      add_pairs(make, collection, m, is_first ? kScatterPoints : kFewPoints);
+      if (is_first) add_bins(collection, m, make.table("bins"));
     }
   }
 }

@@ -19,12 +19,6 @@ constexpr std::size_t kMostBinsOfALine = 16;
 
 double log_n(std::int64_t n) { return std::log(static_cast<double>(n)); }
 
-/// One family in one quantity.
-struct FamilyLine {
-  const SectionCurve* curve = nullptr;
-  std::vector<SizeSample> sizes;
-};
-
 /// The sizes of a collection in bins on a logarithmic scale: values are moved along n^order to the
 /// middle of their bin, so that a figure that divides by it shows what it showed.
 std::vector<SizeSample> binned(const std::vector<SizeSample>& all, double order) {
@@ -32,11 +26,11 @@ std::vector<SizeSample> binned(const std::vector<SizeSample>& all, double order)
   for (const SizeSample& size : all) sizes.insert(size.n);
   std::vector<SizeSample> samples;
   auto next = all.begin();
-  for (const SizeBin& bin : size_bins(sizes, kMostBinsOfALine)) {
+  for (const auto& [first, last] : size_bins(sizes, kMostBinsOfALine)) {
     SizeSample& sample = samples.emplace_back();
     sample.n = sample.requested_n =
-        std::llround(std::sqrt(static_cast<double>(bin.first) * static_cast<double>(bin.last)));
-    for (; next != all.end() && next->n <= bin.last; ++next) {
+        std::llround(std::sqrt(static_cast<double>(first) * static_cast<double>(last)));
+    for (; next != all.end() && next->n <= last; ++next) {
       const double moved = order * (log_n(sample.n) - log_n(next->n));
       if (std::isnan(sample.log_bound)) sample.log_bound = next->log_bound + moved;
       for (const InstanceValue& value : next->instances) {
@@ -52,7 +46,7 @@ struct Figure {
   std::size_t setting = 0;
   Quantity quantity{};
   double order = 1;
-  std::vector<FamilyLine> lines = {};
+  std::vector<std::pair<const SectionCurve*, std::vector<SizeSample>>> lines = {};
 
   double over(const SizeSample& size, double log) const {
     return std::exp(log - order * log_n(size.n));
@@ -66,18 +60,18 @@ Figure figure_of(const TableMaker& make, std::size_t setting, Quantity quantity)
   for (const SectionCurve& curve : make.all ? section.curves : section.shown) {
     const ScalingEntry* entry = curve.growth(quantity);
     if (entry == nullptr || entry->reason == kUntimed) continue;
-    figure.lines.push_back(
-        {&curve, curve.is_collection ? binned(entry->all, figure.order) : entry->all});
+    figure.lines.emplace_back(&curve,
+                              curve.is_collection ? binned(entry->all, figure.order) : entry->all);
   }
   return figure;
 }
 
 void add_lines(const Figure& figure, std::size_t most_sizes, Table& table) {
-  for (const FamilyLine& line : figure.lines) {
-    for (const SizeSample& size : evenly(line.sizes, most_sizes)) {
+  for (const auto& [curve, sizes] : figure.lines) {
+    for (const SizeSample& size : evenly(sizes, most_sizes)) {
       const auto [least, largest] =
           std::ranges::minmax_element(size.instances, {}, &InstanceValue::log_value);
-      table.add({line.curve->place, name_of(figure.quantity), size.n, size.instances.size(),
+      table.add({curve->place, name_of(figure.quantity), size.n, size.instances.size(),
                  figure.over(size, least->log_value), figure.middle(size),
                  figure.over(size, largest->log_value), largest->row,
                  figure.over(size, size.log_bound), std::exp(figure.order * log_n(size.n))});
@@ -88,8 +82,8 @@ void add_lines(const Figure& figure, std::size_t most_sizes, Table& table) {
 /// The families' medians by requested n.
 void add_band(const Figure& figure, Table& table) {
   std::map<std::int64_t, std::vector<double>> band;
-  for (const FamilyLine& line : figure.lines) {
-    for (const SizeSample& size : line.sizes) {
+  for (const auto& [curve, sizes] : figure.lines) {
+    for (const SizeSample& size : sizes) {
       band[std::max<std::int64_t>(1, size.requested_n)].push_back(figure.middle(size));
     }
   }
@@ -105,9 +99,9 @@ void add_bound(const Figure& figure, Table& bounds, Table& figures) {
   std::map<std::int64_t, double> bound;
   double nearest = std::numeric_limits<double>::infinity(), top = 0;
   std::set<std::string> families;
-  for (const FamilyLine& line : figure.lines) {
-    families.insert(line.curve->family);
-    for (const SizeSample& size : line.sizes) {
+  for (const auto& [curve, sizes] : figure.lines) {
+    families.insert(curve->family);
+    for (const SizeSample& size : sizes) {
       if (!std::isnan(size.log_bound)) bound[size.n] = figure.over(size, size.log_bound);
       top = std::max(top, figure.over(size, std::ranges::max(size.log_values())));
     }
@@ -164,12 +158,12 @@ void add_volume_bands(TableMaker& make) {
   for (std::size_t i = 0; i < make.sections.size(); ++i) {
     const Figure figure = figure_of(make, i, Quantity::volume);
     std::map<std::int64_t, std::array<std::vector<double>, 3>> bands;
-    for (const FamilyLine& line : figure.lines) {
-      for (const SizeSample& size : line.curve->growth(Quantity::volume)->all) {
+    for (const auto& [curve, sizes] : figure.lines) {
+      for (const SizeSample& size : curve->growth(Quantity::volume)->all) {
         auto& [least, drawn, most] = bands[std::max<std::int64_t>(1, size.requested_n)];
         drawn.push_back(figure.middle(size));
         if (!std::isnan(size.log_bound)) most.push_back(figure.over(size, size.log_bound));
-        for (const DrawnGraph& graph : line.curve->tally->sizes.at(size.n).graphs) {
+        for (const DrawnGraph& graph : curve->tally->sizes.at(size.n).graphs) {
           const double log = log_volume_at_least(graph);
           if (!std::isnan(log)) least.push_back(figure.over(size, log));
         }

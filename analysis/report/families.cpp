@@ -20,7 +20,7 @@ std::vector<TableCell> key_cells(const CurveKey& key) {
 }
 
 /// The smallest slack over the axes.
-double worst_of(const BoundsEntry& entry, double AxisBounds::*slack) {
+double worst_of(const CurveTally& entry, double AxisBounds::*slack) {
   double worst = kMissing;
   for (const AxisBounds& axis : entry.axes) worst = std::fmin(worst, axis.*slack);
   return worst;
@@ -30,8 +30,9 @@ constexpr std::array kSlacks = {
     &AxisBounds::worst_slack,           &AxisBounds::median_slack,
     &AxisBounds::worst_instance_slack,  &AxisBounds::median_instance_slack,
     &AxisBounds::worst_published_slack, &AxisBounds::median_published_slack};
-void add_page_cells(const BoundsEntry& entry, const SectionCurve& curve, const ShowCommand& show,
+void add_page_cells(const SectionCurve& curve, const ShowCommand& show,
                     std::vector<TableCell>& row) {
+  const CurveTally& entry = *curve.tally;
   row.insert(row.end(),
              {curve.setting, curve.family, curve.name, curve.is_shown, curve.is_collection});
   for (const RunStatus status :
@@ -122,14 +123,13 @@ void add_shares(TableMaker& make) {
     }
     for (const SectionCurve& curve : make.sections[i].shown) {
       const auto shares = worst_by_size(*curve.tally);
-      for (const SizeBin& bin : size_bins(sizes, kMostShareBins)) {
+      for (const auto& [first, last] : size_bins(sizes, kMostShareBins)) {
         const DrawnGraph* closest = nullptr;
-        for (auto at = shares.lower_bound(bin.first); at != shares.end() && at->first <= bin.last;
-             ++at) {
+        for (auto at = shares.lower_bound(first); at != shares.end() && at->first <= last; ++at) {
           if (closest == nullptr || at->second->share() > closest->share()) closest = at->second;
         }
         if (closest == nullptr) continue;
-        table.add({i, curve.place, bin.first, bin.last, closest->share(),
+        table.add({i, curve.place, first, last, closest->share(),
                    make.graphs.add(curve.place, *closest)});
       }
     }
@@ -143,8 +143,8 @@ void add_bends(TableMaker& make) {
     double edges = 0;
     for (const SectionCurve& curve : make.sections[i].curves) {
       for (std::size_t b = 0; b < bends.size(); ++b) {
-        bends[b] += curve.bounds->bends[b];
-        edges += static_cast<double>(curve.bounds->bends[b]);
+        bends[b] += curve.tally->bends[b];
+        edges += static_cast<double>(curve.tally->bends[b]);
       }
     }
     for (std::size_t b = 0; b < bends.size(); ++b) {
@@ -159,8 +159,8 @@ void fill_bounds(const StudyAnalysis& analysis, const std::vector<Section>& sect
                  Table& table) {
   const ShowCommand show(analysis.rows);
   const auto places = curves_by_place(sections);
-  for (std::size_t i = 0; i < analysis.bounds.size(); ++i) {
-    const BoundsEntry& entry = analysis.bounds[i];
+  for (std::size_t i = 0; i < analysis.tally.curves.size(); ++i) {
+    const CurveTally& entry = analysis.tally.curves[i];
     std::vector<TableCell> row = key_cells(entry.key);
     row.insert(row.end(), {entry.smallest_n, entry.largest_n, entry.rows, entry.instances,
                            entry.violations, entry.unproved});
@@ -170,9 +170,7 @@ void fill_bounds(const StudyAnalysis& analysis, const std::vector<Section>& sect
     const auto worst = worst_axis(entry);
     row.insert(row.end(), {entry.log2_volume, entry.volume_share, entry.volume_over_least,
                            worst ? show(entry.key, entry.axes[*worst].worst) : ""});
-    if (const auto at = places.find(i); at != places.end()) {
-      add_page_cells(entry, *at->second, show, row);
-    }
+    if (const auto at = places.find(i); at != places.end()) add_page_cells(*at->second, show, row);
     row.resize(table.columns.size());
     table.add(std::move(row));
   }
@@ -181,8 +179,8 @@ void fill_bounds(const StudyAnalysis& analysis, const std::vector<Section>& sect
 void fill_growth(const StudyAnalysis& analysis, const std::vector<Section>& sections,
                  Table& table) {
   std::map<CurveKey, std::size_t> curve_of_key;
-  for (std::size_t i = 0; i < analysis.bounds.size(); ++i) {
-    curve_of_key.emplace(analysis.bounds[i].key, i);
+  for (std::size_t i = 0; i < analysis.tally.curves.size(); ++i) {
+    curve_of_key.emplace(analysis.tally.curves[i].key, i);
   }
   std::map<std::pair<std::size_t, Quantity>, std::size_t> named;
   for (const Section& section : sections) {
@@ -200,10 +198,9 @@ void fill_growth(const StudyAnalysis& analysis, const std::vector<Section>& sect
 }
 
 void add_families(TableMaker& make) {
-  for (const CurveTally& curve : make.analysis.tally.curves) {
-    const auto place = static_cast<std::size_t>(&curve - make.analysis.tally.curves.data());
-    const BoundsEntry& entry = make.analysis.bounds[place];
-    if (const auto worst = worst_axis(entry)) make.graphs.add(place, entry.axes[*worst].worst);
+  const std::vector<CurveTally>& curves = make.analysis.tally.curves;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (const auto worst = worst_axis(curves[i])) make.graphs.add(i, curves[i].axes[*worst].worst);
   }
   fill_bounds(make.analysis, make.sections, make.table("bounds"));
   fill_growth(make.analysis, make.sections, make.table("growth"));

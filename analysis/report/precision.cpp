@@ -41,7 +41,7 @@ Judged in_bins(Judged judged) {
   for (const auto& [key, costs] : judged) {
     JudgedKey binned = key;
     std::int64_t& n = std::get<1>(binned);
-    n = std::ranges::find_if(bins, [&](const SizeBin& bin) { return n <= bin.last; })->last;
+    n = std::ranges::find_if(bins, [&](const SizeBin& bin) { return n <= bin.second; })->second;
     std::ranges::copy(costs, std::back_inserter(merged[binned]));
   }
   return merged;

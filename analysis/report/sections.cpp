@@ -23,7 +23,7 @@ void name_families(std::vector<SectionCurve>& curves) {
   std::map<std::string, std::size_t> times;
   for (const SectionCurve& curve : curves) ++times[curve.name];
   for (SectionCurve& curve : curves) {
-    if (times.at(curve.bounds->key.family) > 1) curve.name = curve.family;
+    if (times.at(curve.tally->key.family) > 1) curve.name = curve.family;
   }
 }
 
@@ -31,7 +31,7 @@ void name_families(std::vector<SectionCurve>& curves) {
 
 double SectionCurve::least_slack() const {
   double least = std::numeric_limits<double>::infinity();
-  for (const AxisBounds& axis : bounds->axes) least = std::fmin(least, axis.worst_slack);
+  for (const AxisBounds& axis : tally->axes) least = std::fmin(least, axis.worst_slack);
   return least;
 }
 
@@ -47,8 +47,9 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
       side_records<AlgorithmRecord>(*analysis.rows.identity);
   std::vector<Section> sections;
   std::map<std::string, std::size_t> index_of;
-  for (std::size_t place = 0; place < analysis.bounds.size(); ++place) {
-    const CurveKey& key = analysis.bounds[place].key;
+  for (std::size_t place = 0; place < analysis.tally.curves.size(); ++place) {
+    const CurveTally& tally = analysis.tally.curves[place];
+    const CurveKey& key = tally.key;
     const auto [at, is_new] = index_of.try_emplace(algorithm_label(key), sections.size());
     if (at->second >= kMostSections) continue;
     if (is_new) {
@@ -60,12 +61,11 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
         section.published = record->published;
       }
     }
-    sections[at->second].has_own_unit |= analysis.tally.curves[place].has_own_unit;
+    sections[at->second].has_own_unit |= tally.has_own_unit;
     auto scaling = scaling_of[key];
     scaling.resize(kQuantities.size());
-    const CurveTally& tally = analysis.tally.curves[place];
     sections[at->second].curves.push_back(
-        {place, family_label(key), key.family, &tally, &analysis.bounds[place], std::move(scaling),
+        {place, family_label(key), key.family, &tally, std::move(scaling),
          commands.is_of_file(key.family) && tally.instances >= kFewestOfCollection, at->second});
   }
   for (Section& section : sections) {
@@ -205,8 +205,8 @@ std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t 
   for (const std::int64_t n : sizes) {
     const double place = (log10_of(std::max<std::int64_t>(1, n)) - low) / width;
     const std::size_t end = std::min(static_cast<std::size_t>(std::max(0.0, place)), most - 1) + 1;
-    if (sizes.size() <= most || end > end_of_last) bins.push_back({n, n});
-    bins.back().last = n;
+    if (sizes.size() <= most || end > end_of_last) bins.emplace_back(n, n);
+    bins.back().second = n;
     end_of_last = end;
   }
   return bins;

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ar3d/analysis/report.h"
@@ -17,11 +18,10 @@ namespace ar3d::report {
 
 /// Describes one curve of a section.
 struct SectionCurve {
-  std::size_t place = 0;  ///< in StudyTally::curves and StudyAnalysis::bounds
+  std::size_t place = 0;  ///< in StudyTally::curves
   std::string family;     ///< family_label
   std::string name;       ///< of the family; with parameters only where two have one name
   const CurveTally* tally = nullptr;
-  const BoundsEntry* bounds = nullptr;
   std::vector<const ScalingEntry*> scaling;  ///< by quantity; null if it was not measured
   bool is_collection = false;  ///< graphs of files, at least kFewestOfCollection of them
   std::size_t setting = 0;     ///< its section's place
@@ -121,10 +121,8 @@ double decimal(double natural_log);
 double log10_metric(const DrawnGraph& graph, std::string_view name);
 double bends_of(const DrawnGraph& graph);
 
-/// Holds the ends of sizes that stand together.
-struct SizeBin {
-  std::int64_t first = 0, last = 0;
-};
+/// Holds the first and the last of sizes that stand together.
+using SizeBin = std::pair<std::int64_t, std::int64_t>;
 /// Makes one bin a size if there are at most `most`; else bins of `most` equal parts of the
 /// logarithmic scale, without the empty ones. @param sizes  at least 1 each; smaller ones are in no
 /// bin but the first.

@@ -165,11 +165,8 @@ GraphVolumes volumes_of(const ComparedSetting& setting, const SettingGroup& grou
   return volumes;
 }
 
-/// One setting at one n of a group.
-struct TradePoint {
-  double log_n = 0, volume = kMissing, time = kMissing;  // decimal logarithms
-};
-using TradeLine = std::vector<TradePoint>;
+/// One setting of a group, by n.
+using TradeLine = std::map<std::int64_t, Median>;
 
 /// At each n over the families that all settings with this n drew there, by setting.
 std::vector<TradeLine> trade_lines(const SettingGroup& group) {
@@ -180,9 +177,7 @@ std::vector<TradeLine> trade_lines(const SettingGroup& group) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (!group.settings[i]->sizes.contains(n)) continue;
       const Median medians = there.over(*group.settings[i], n);
-      if (!std::isnan(medians.volume)) {
-        lines[i].push_back({log10_of(n), medians.volume, medians.time});
-      }
+      if (!std::isnan(medians.volume)) lines[i][n] = medians;
     }
   }
   return lines;
@@ -211,26 +206,22 @@ bool is_borne_out(const SettingGroup& group, Crossing& crossing) {
          10 * crossing.smaller >= 9 * crossing.graphs && 2 * smaller_before < before;
 }
 
-void add_crossing(const std::vector<TradeLine>& lines, std::size_t a, std::size_t b,
-                  std::vector<Crossing>& crossings) {
-  std::map<double, double> other;
-  for (const TradePoint& point : lines[b]) other[point.log_n] = point.volume;
+std::optional<Crossing> last_crossing(const std::vector<TradeLine>& lines, std::size_t a,
+                                      std::size_t b) {
   double last_n = kMissing, last_gap = kMissing, last_volume = kMissing;
-  Crossing found;
-  bool has_any = false;
-  for (const TradePoint& point : lines[a]) {
-    const auto at = other.find(point.log_n);
-    if (at == other.end()) continue;
-    const double gap = point.volume - at->second;
+  std::optional<Crossing> found;
+  for (const auto& [n, point] : lines[a]) {
+    const auto at = lines[b].find(n);
+    if (at == lines[b].end()) continue;
+    const double log_n = log10_of(n), gap = point.volume - at->second.volume;
     if (!std::isnan(last_gap) && (gap < 0) != (last_gap < 0) && gap != last_gap) {
       const double part = last_gap / (last_gap - gap);
-      found = {gap < 0 ? a : b, gap < 0 ? b : a, last_n + part * (point.log_n - last_n),
+      found = {gap < 0 ? a : b, gap < 0 ? b : a, last_n + part * (log_n - last_n),
                last_volume + part * (point.volume - last_volume)};
-      has_any = true;
     }
-    last_n = point.log_n, last_gap = gap, last_volume = point.volume;
+    last_n = log_n, last_gap = gap, last_volume = point.volume;
   }
-  if (has_any) crossings.push_back(found);
+  return found;
 }
 
 /// The last crossing of every two lines of different algorithms that the graphs bear out.
@@ -240,7 +231,7 @@ std::vector<Crossing> crossings_of(const SettingGroup& group, const std::vector<
     for (std::size_t j = 0; j < i; ++j) {
       const auto& algorithm = group.settings[i]->section->algorithm;
       if (algorithm == group.settings[j]->section->algorithm) continue;
-      add_crossing(lines, i, j, crossings);
+      if (const auto found = last_crossing(lines, i, j)) crossings.push_back(*found);
     }
   }
   std::erase_if(crossings, [&](Crossing& crossing) { return !is_borne_out(group, crossing); });
@@ -258,51 +249,46 @@ double least_order(const std::vector<Section>& sections) {
 }
 
 /// True if no other setting there is both smaller and faster.
-bool is_on_front(const std::vector<TradeLine>& lines, const TradePoint& point) {
+bool is_on_front(const std::vector<TradeLine>& lines, std::int64_t n, const Median& point) {
   if (std::isnan(point.time)) return false;
   for (const TradeLine& line : lines) {
-    for (const TradePoint& other : line) {
-      if (other.log_n != point.log_n || std::isnan(other.time)) continue;
-      const bool is_no_worse = other.time <= point.time && other.volume <= point.volume;
-      if (is_no_worse && (other.time < point.time || other.volume < point.volume)) return false;
-    }
+    const auto other = line.find(n);
+    if (other == line.end() || std::isnan(other->second.time)) continue;
+    const auto& [volume, relative_volume, time] = other->second;
+    const bool is_no_worse = time <= point.time && volume <= point.volume;
+    if (is_no_worse && (time < point.time || volume < point.volume)) return false;
   }
   return true;
 }
 
-struct TradeTables {
-  TableMaker& make;
+void add_group(const SettingGroup& group, double order, TableMaker& make) {
+  const std::vector<TradeLine> lines = trade_lines(group);
+  if (std::ranges::count_if(lines, [](const TradeLine& line) { return !line.empty(); }) < 2) {
+    return;
+  }
   Table& groups = make.table("groups");
-  Table& trade = make.table("trade");
-  Table& crossings = make.table("crossings");
-
-  void add(const SettingGroup& group, double order) {
-    const std::vector<TradeLine> lines = trade_lines(group);
-    if (std::ranges::count_if(lines, [](const TradeLine& line) { return !line.empty(); }) < 2) {
-      return;
-    }
-    const std::size_t place = groups.size();
-    const std::size_t families = count_families(group.families);
-    groups.add({group.settings.size(), families,
-                families == 1 ? TableCell(*group.families.begin()) : TableCell(),
-                group.is_relative ? "cubes of the smallest vertex distance" : "lattice points",
-                order});
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      for (const TradePoint& point : lines[i]) {
-        trade.add({place, std::llround(std::pow(10, point.log_n)), group.settings[i]->place,
-                   std::pow(10, point.volume), std::pow(10, point.volume - order * point.log_n),
-                   std::pow(10, point.time), group.settings[i]->bends, is_on_front(lines, point)});
-      }
-    }
-    for (const Crossing& crossing : crossings_of(group, lines)) {
-      crossings.add({place, group.settings[crossing.below]->place,
-                     group.settings[crossing.above]->place,
-                     std::llround(std::pow(10, crossing.log_n)),
-                     std::pow(10, crossing.volume - order * crossing.log_n), crossing.graphs,
-                     crossing.smaller});
+  const std::size_t place = groups.size();
+  const std::size_t families = count_families(group.families);
+  groups.add({group.settings.size(), families,
+              families == 1 ? TableCell(*group.families.begin()) : TableCell(),
+              group.is_relative ? "cubes of the smallest vertex distance" : "lattice points",
+              order});
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const auto& [n, point] : lines[i]) {
+      make.table("trade").add({place, n, group.settings[i]->place, std::pow(10, point.volume),
+                               std::pow(10, point.volume - order * log10_of(n)),
+                               std::pow(10, point.time), group.settings[i]->bends,
+                               is_on_front(lines, n, point)});
     }
   }
-};
+  for (const Crossing& crossing : crossings_of(group, lines)) {
+    make.table("crossings")
+        .add({place, group.settings[crossing.below]->place, group.settings[crossing.above]->place,
+              std::llround(std::pow(10, crossing.log_n)),
+              std::pow(10, crossing.volume - order * crossing.log_n), crossing.graphs,
+              crossing.smaller});
+  }
+}
 
 /// Efforts of one algorithm at the largest n that two of them drew, over what the first one needs.
 void add_efforts(const std::vector<ComparedSetting>& settings, Table& table) {
@@ -337,9 +323,8 @@ void add_efforts(const std::vector<ComparedSetting>& settings, Table& table) {
 
 void add_trade(TableMaker& make) {
   const std::vector<ComparedSetting> settings = settings_of(make.sections);
-  TradeTables tables{make};
   for (const SettingGroup& group : groups_of(settings)) {
-    tables.add(group, least_order(make.sections));
+    add_group(group, least_order(make.sections), make);
   }
   add_efforts(settings, make.table("efforts"));
 }

@@ -50,15 +50,15 @@ void add_settings(TableMaker& make) {
     std::string theorem, published;
     for (const SectionCurve& curve : section.curves) {
       families.insert(curve.family);
-      graphs += curve.bounds->instances;
+      graphs += curve.tally->instances;
       for (const auto& [n, size] : curve.tally->sizes) drawn += size.drawn;
-      violations += curve.bounds->violations;
-      unproved += curve.bounds->unproved;
-      ok += curve.bounds->count(RunStatus::ok);
-      measured += curve.bounds->count(RunStatus::measured);
-      largest = std::max(largest, curve.bounds->largest_n);
-      if (theorem.empty()) theorem = curve.bounds->theorem_formula;
-      if (published.empty()) published = curve.bounds->published_formula;
+      violations += curve.tally->violations;
+      unproved += curve.tally->unproved;
+      ok += curve.tally->count(RunStatus::ok);
+      measured += curve.tally->count(RunStatus::measured);
+      largest = std::max(largest, curve.tally->largest_n);
+      if (theorem.empty()) theorem = curve.tally->theorem_formula;
+      if (published.empty()) published = curve.tally->published_formula;
     }
     std::vector<TableCell> row = {section.label,
                                   section.algorithm,
@@ -78,8 +78,8 @@ void add_settings(TableMaker& make) {
     row.resize(table.columns.size());
     const SectionCurve& closest = *std::ranges::min_element(
         section.curves, {}, [](const SectionCurve& curve) { return curve.least_slack(); });
-    if (const auto axis = worst_axis(*closest.bounds)) {
-      const DrawnGraph& graph = closest.bounds->axes[*axis].worst;
+    if (const auto axis = worst_axis(*closest.tally)) {
+      const DrawnGraph& graph = closest.tally->axes[*axis].worst;
       std::ranges::copy(
           std::initializer_list<TableCell>{1 - closest.least_slack(), closest.name, graph.n,
                                            make.graphs.add(closest.place, graph),
@@ -128,7 +128,7 @@ void add_promise(const Section& section, std::size_t setting, std::size_t axis, 
   TableCell fastest, largest;
   double constant = kMissing, share = kMissing;
   for (const SectionCurve& curve : section.curves) {
-    share = std::fmax(share, 1 - curve.bounds->axes[axis].worst_slack);
+    share = std::fmax(share, 1 - curve.tally->axes[axis].worst_slack);
     const ScalingEntry* entry = curve.growth(extent);
     if (entry == nullptr || !entry->decided) continue;
     if (growth == nullptr || entry->power.exponent > growth->power.exponent) {

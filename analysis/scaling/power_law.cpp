@@ -11,13 +11,11 @@ using Matrix = std::vector<std::vector<double>>;
 constexpr double kLeastFreedom = 1e-9;
 
 /// X^T X.
-Matrix normal_matrix(const std::vector<FitPoint>& points, std::size_t p) {
+Matrix normal_matrix(const Matrix& x, std::size_t p) {
   Matrix normal(p, std::vector<double>(p, 0));
-  for (const FitPoint& point : points) {
+  for (const std::vector<double>& point : x) {
     for (std::size_t i = 0; i < p; ++i) {
-      for (std::size_t j = 0; j < p; ++j) {
-        normal[i][j] += point.regressors[i] * point.regressors[j];
-      }
+      for (std::size_t j = 0; j < p; ++j) normal[i][j] += point[i] * point[j];
     }
   }
   return normal;
@@ -59,17 +57,18 @@ constexpr double kRoundingSquare = 1e-26;
 
 using Regressor = std::function<double(double log_n)>;
 
-std::vector<FitPoint> fit_points(std::span<const SizeSample> sizes,
-                                 const std::vector<Regressor>& regressors) {
-  std::vector<FitPoint> points;
+/// The means of the logarithms of the sizes, fitted by a constant and these.
+LinearFit fit_sizes(std::span<const SizeSample> sizes, const std::vector<Regressor>& regressors) {
+  Matrix x;
+  std::vector<double> y;
   for (const SizeSample& size : sizes) {
-    FitPoint point{{1}, size.mean_log()};
+    std::vector<double>& point = x.emplace_back(std::vector<double>{1});
     for (const Regressor& regressor : regressors) {
-      point.regressors.push_back(regressor(std::log(static_cast<double>(size.n))));
+      point.push_back(regressor(std::log(static_cast<double>(size.n))));
     }
-    points.push_back(std::move(point));
+    y.push_back(size.mean_log());
   }
-  return points;
+  return fit_linear(x, y);
 }
 
 double identity(double x) { return x; }
@@ -112,39 +111,18 @@ double step_akaike(std::span<const SizeSample> sizes) {
   for (std::size_t s = 1; s + 1 < sizes.size(); ++s) {
     const double place = std::log(static_cast<double>(sizes[s].n));
     const Regressor step = [=](double x) { return std::tanh((x - place) / std::log(2.0)); };
-    best = std::min(best, corrected_akaike(fit_linear(fit_points(sizes, {identity, step})), 4));
+    best = std::min(best, corrected_akaike(fit_sizes(sizes, {identity, step}), 4));
   }
   return best;
 }
 
-}  // namespace
-
-LinearFit fit_linear(const std::vector<FitPoint>& points) {
-  const std::size_t p = points.at(0).regressors.size(), count = points.size();
-  expect(count >= p, "a fit has at least as many points as coefficients");
-  const Matrix covariance = inverse(normal_matrix(points, p));
-  LinearFit fit;
-  fit.projection.assign(p, std::vector<double>(count, 0));
-  fit.coefficients.assign(p, 0);
-  for (std::size_t j = 0; j < p; ++j) {
-    for (std::size_t s = 0; s < count; ++s) {
-      fit.projection[j][s] = dot(covariance[j], points[s].regressors);
-      fit.coefficients[j] += fit.projection[j][s] * points[s].y;
-    }
-  }
-  fit.hat.assign(count, std::vector<double>(count, 0));
-  for (std::size_t s = 0; s < count; ++s) {
-    const std::vector<double>& x = points[s].regressors;
-    for (std::size_t t = 0; t < count; ++t) {
-      for (std::size_t j = 0; j < p; ++j) fit.hat[s][t] += x[j] * fit.projection[j][t];
-    }
-    fit.residuals.push_back(points[s].y - dot(x, fit.coefficients));
-    fit.square_sum += fit.residuals[s] * fit.residuals[s];
-  }
-  return fit;
-}
-
-Interval robust_interval(const LinearFit& fit, std::size_t coefficient, double confidence) {
+/// Returns a 95 % confidence interval of a coefficient that holds for independent errors of unequal
+/// variances. It is the HC2 estimate of its variance with Student's t and the degrees of freedom of
+/// Bell and McCaffrey (Imbens and Kolesár, "Robust standard errors in small samples", Review of
+/// Economics and Statistics 98, 2016). Where a point is the mean of a cluster this is the
+/// cluster-robust interval for few clusters: whatever the members of a cluster have in common is
+/// part of its error. Both ends are missing without more points than coefficients. Cost: O(s^2).
+Interval robust_interval(const LinearFit& fit, std::size_t coefficient) {
   const std::size_t count = fit.residuals.size();
   if (count <= fit.coefficients.size()) return {kMissing, kMissing};
   const std::vector<double>& projection = fit.projection[coefficient];
@@ -166,47 +144,72 @@ Interval robust_interval(const LinearFit& fit, std::size_t coefficient, double c
   }
   if (!(square_trace > 0)) return {kMissing, kMissing};
   const double df = std::max(1.0, trace * trace / square_trace);
-  const double half = student_t_quantile((1 + confidence) / 2, df) * std::sqrt(variance);
+  const double half = student_t_quantile(0.975, df) * std::sqrt(variance);
   return {fit.coefficients[coefficient] - half, fit.coefficients[coefficient] + half};
+}
+
+}  // namespace
+
+LinearFit fit_linear(const Matrix& x, const std::vector<double>& y) {
+  const std::size_t p = x.at(0).size(), count = x.size();
+  expect(count >= p, "a fit has at least as many points as coefficients");
+  const Matrix covariance = inverse(normal_matrix(x, p));
+  LinearFit fit;
+  fit.projection.assign(p, std::vector<double>(count, 0));
+  fit.coefficients.assign(p, 0);
+  for (std::size_t j = 0; j < p; ++j) {
+    for (std::size_t s = 0; s < count; ++s) {
+      fit.projection[j][s] = dot(covariance[j], x[s]);
+      fit.coefficients[j] += fit.projection[j][s] * y[s];
+    }
+  }
+  fit.hat.assign(count, std::vector<double>(count, 0));
+  for (std::size_t s = 0; s < count; ++s) {
+    for (std::size_t t = 0; t < count; ++t) {
+      for (std::size_t j = 0; j < p; ++j) fit.hat[s][t] += x[s][j] * fit.projection[j][t];
+    }
+    fit.residuals.push_back(y[s] - dot(x[s], fit.coefficients));
+    fit.square_sum += fit.residuals[s] * fit.residuals[s];
+  }
+  return fit;
 }
 
 double CurveFit::typical_residual(std::size_t sizes) const {
   return std::sqrt(square_sum / static_cast<double>(sizes));
 }
 
-CurveFit fit_curve(std::span<const SizeSample> sizes, bool with_log, bool intervals,
-                   double confidence) {
+CurveFit fit_curve(std::span<const SizeSample> sizes, bool with_log, bool intervals) {
   CurveFit curve;
   std::vector<Regressor> regressors = {identity};
   if (with_log) regressors.push_back(log_log);
   if (sizes.size() <= regressors.size()) return curve;
-  const LinearFit fit = fit_linear(fit_points(sizes, regressors));
+  const LinearFit fit = fit_sizes(sizes, regressors);
   curve.fitted = true;
   curve.log_factor = fit.coefficients[0];
   curve.exponent = fit.coefficients[1];
   if (with_log) curve.log_exponent = fit.coefficients[2];
   curve.square_sum = fit.square_sum;
   if (!intervals) return curve;
-  curve.exponent_interval = robust_interval(fit, 1, confidence);
-  if (with_log) curve.log_exponent_interval = robust_interval(fit, 2, confidence);
+  curve.exponent_interval = robust_interval(fit, 1);
+  if (with_log) curve.log_exponent_interval = robust_interval(fit, 2);
   return curve;
 }
 
-Curvature curvature(std::span<const SizeSample> sizes, double confidence) {
+Curvature curvature(std::span<const SizeSample> sizes) {
   const double centre = centre_of(sizes);
   const Regressor linear = power_of(centre, 1), square = power_of(centre, 2),
                   cube = power_of(centre, 3);
-  const LinearFit line = fit_linear(fit_points(sizes, {linear}));
-  const LinearFit parabola = fit_linear(fit_points(sizes, {linear, square}));
-  const LinearFit cubic = fit_linear(fit_points(sizes, {linear, square, cube}));
-  const LinearFit with_log = fit_linear(fit_points(sizes, {linear, log_log}));
-  const LinearFit with_both = fit_linear(fit_points(sizes, {linear, log_log, cube}));
+  const LinearFit line = fit_sizes(sizes, {linear});
+  const LinearFit parabola = fit_sizes(sizes, {linear, square});
+  const LinearFit cubic = fit_sizes(sizes, {linear, square, cube});
+  const LinearFit with_log = fit_sizes(sizes, {linear, log_log});
+  const LinearFit with_both = fit_sizes(sizes, {linear, log_log, cube});
   const double first = std::log(static_cast<double>(sizes.front().n)) - centre;
   const double last = std::log(static_cast<double>(sizes.back().n)) - centre;
   Curvature result;
   result.first_exponent = parabola.coefficients[1] + 2 * parabola.coefficients[2] * first;
   result.last_exponent = parabola.coefficients[1] + 2 * parabola.coefficients[2] * last;
-  const Interval bend = robust_interval(parabola, 2, confidence);
+  const Interval bend = robust_interval(parabola, 2);
   result.drift = {2 * bend.low * (last - first), 2 * bend.high * (last - first)};
   result.line_p = nested_p(line, cubic);
   result.with_log_p = nested_p(with_log, with_both);
@@ -215,7 +218,7 @@ Curvature curvature(std::span<const SizeSample> sizes, double confidence) {
 
 double log_weight(std::span<const SizeSample> sizes) {
   const auto criterion = [&](const std::vector<Regressor>& regressors) {
-    return corrected_akaike(fit_linear(fit_points(sizes, regressors)), regressors.size() + 1);
+    return corrected_akaike(fit_sizes(sizes, regressors), regressors.size() + 1);
   };
   const double centre = centre_of(sizes);
   const auto lower_order = [=](double order) -> Regressor {

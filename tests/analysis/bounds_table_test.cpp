@@ -29,7 +29,7 @@ Results three_instances() {
 }
 
 TEST(BoundsTable, GivesWorstAndMedianSlackPerAxisAndTheWorstRow) {
-  const std::vector<BoundsEntry> entries = bounds_table(three_instances());
+  const std::vector<CurveTally> entries = curves_of(three_instances());
   ASSERT_EQ(entries.size(), 1u);
   const AxisBounds& x = entries[0].axes[0];
   EXPECT_DOUBLE_EQ(x.worst_slack, 1 - 30.0 / 40);
@@ -44,15 +44,16 @@ TEST(BoundsTable, GivesWorstAndMedianSlackPerAxisAndTheWorstRow) {
 
 TEST(BoundsTable, CountsRowsThatNobodyProved) {
   Results results = three_instances();
-  EXPECT_EQ(bounds_table(results).at(0).unproved, 0u);
+  EXPECT_EQ(curves_of(results).at(0).unproved, 0u);
   results.runs[0].certificate = "sample=10";
   results.runs[1].violations = -1;
-  EXPECT_EQ(bounds_table(results).at(0).unproved, 2u);
-  EXPECT_EQ(bounds_table(results).at(0).violations, 0u);
+  const CurveTally entry = curves_of(results).at(0);
+  EXPECT_EQ(entry.unproved, 2u);
+  EXPECT_EQ(entry.violations, 0u);
 }
 
 TEST(BoundsTable, ComparesWithThePublishedBound) {
-  const BoundsEntry entry = bounds_table(three_instances()).at(0);
+  const CurveTally entry = curves_of(three_instances()).at(0);
   EXPECT_DOUBLE_EQ(entry.axes[0].worst_published_slack, 1 - 30.0 / 60);
   EXPECT_DOUBLE_EQ(entry.axes[0].median_published_slack, 1 - 20.0 / 60);
   EXPECT_TRUE(std::isnan(entry.axes[1].worst_published_slack));
@@ -63,7 +64,7 @@ TEST(BoundsTable, ComparesWithThePublishedBound) {
 
 /// Whatever order the theorem promises: the same growth of extents and bound gives the same share.
 TEST(BoundsTable, VolumesAreSetAgainstTheTheoremsOwnBox) {
-  const BoundsEntry entry = bounds_table(good_results({"diamond"}, {"cubic"}, 3, 2)).at(0);
+  const CurveTally entry = curves_of(good_results({"diamond"}, {"cubic"}, 3, 2)).at(0);
   EXPECT_EQ(entry.volume_n, 64);
   // Extents of 4n to 4.5n, 4n and 6n in a box of 16n/3, 16n/3 and 8n.
   EXPECT_GT(entry.volume_share, 0.4);
@@ -72,18 +73,18 @@ TEST(BoundsTable, VolumesAreSetAgainstTheTheoremsOwnBox) {
 
 TEST(BoundsTable, VolumesAreSetAgainstTheLeastPossible) {
   Results results = three_instances();
-  EXPECT_TRUE(std::isnan(bounds_table(results).at(0).volume_over_least)) << "no such column";
+  EXPECT_TRUE(std::isnan(curves_of(results).at(0).volume_over_least)) << "no such column";
   for (ar3d::RunRecord& run : results.runs) {
     const std::int64_t least = 256;
     run_column("volume_at_least").load(reinterpret_cast<const char*>(&least), run);
   }
-  EXPECT_NEAR(bounds_table(results).at(0).volume_over_least, 2048.0 / 256, 1e-9);
+  EXPECT_NEAR(curves_of(results).at(0).volume_over_least, 2048.0 / 256, 1e-9);
 }
 
 TEST(BoundsTable, OneEntryForEachAlgorithmOptionsFamilyAndParameters) {
   Results results = good_results({"diamond", "grid"}, {"cubic", "prism"}, 2, 2);
   results.runs[0].options = "effort=2";
-  const std::vector<BoundsEntry> entries = bounds_table(results);
+  const std::vector<CurveTally> entries = curves_of(results);
   ASSERT_EQ(entries.size(), 5u);
   EXPECT_EQ(entries[0].key.options, "effort=2");
   EXPECT_EQ(entries[0].rows, 1u);
@@ -94,7 +95,7 @@ TEST(BoundsTable, OneEntryForEachAlgorithmOptionsFamilyAndParameters) {
 TEST(BoundsTable, RepetitionsCountOnceInStatisticsAndBends) {
   Results results = good_results({"diamond"}, {"cubic"}, 1, 2);
   results.runs.push_back(good_run("diamond", "cubic", 16, 0, 1));
-  const BoundsEntry entry = bounds_table(results).at(0);
+  const CurveTally entry = curves_of(results).at(0);
   EXPECT_EQ(entry.rows, 3u);
   EXPECT_EQ(entry.instances, 2u);
   EXPECT_EQ(entry.axes[0].measured, 2u);
@@ -105,7 +106,7 @@ TEST(BoundsTable, CountsStatusesAndViolations) {
   Results results = good_results({"diamond"}, {"cubic"}, 2, 2);
   results.runs[0].status = RunStatus::timeout;
   results.runs[1].extents[0] = 1000;
-  const BoundsEntry entry = bounds_table(results).at(0);
+  const CurveTally entry = curves_of(results).at(0);
   EXPECT_EQ(entry.count(RunStatus::timeout), 1u);
   EXPECT_EQ(entry.count(RunStatus::ok), 3u);
   EXPECT_EQ(entry.violations, 1u);
@@ -115,7 +116,7 @@ TEST(BoundsTable, CountsStatusesAndViolations) {
 TEST(BoundsTable, NothingMeasuredHasNoWorstAxis) {
   Results results = good_results({"diamond"}, {"cubic"}, 1, 1);
   results.runs[0].status = RunStatus::refused;
-  EXPECT_FALSE(worst_axis(bounds_table(results).at(0)).has_value());
+  EXPECT_FALSE(worst_axis(curves_of(results).at(0)).has_value());
 }
 
 TEST(Replay, QuotesWhatAShellWouldRead) {

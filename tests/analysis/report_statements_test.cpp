@@ -99,7 +99,7 @@ TEST(Report, ProgramsHaveNoTheorem) {
   }
   EXPECT_EQ(rows_with(tables["bound_lines"], "setting", 1).size(), 0u);
   for (const auto& row : tables["exponents"]) EXPECT_GT(row["order"], 0);
-  EXPECT_TRUE(std::isnan(analyse(view_of(results)).bounds.at(1).axes[0].worst_slack));
+  EXPECT_TRUE(std::isnan(curves_of(results).at(1).axes[0].worst_slack));
 }
 
 TEST(Report, EveryFamilyHasANumberInTheHeatMap) {
@@ -118,18 +118,12 @@ TEST(Report, EveryFamilyHasANumberInTheHeatMap) {
 }
 
 TEST(Bins, OfSizesAreEvenOnALogarithmicScale) {
-  const auto ends = [](const std::set<std::int64_t>& sizes, std::size_t most) {
-    std::vector<std::pair<std::int64_t, std::int64_t>> ends;
-    for (const report::SizeBin& bin : report::size_bins(sizes, most)) {
-      ends.emplace_back(bin.first, bin.last);
-    }
-    return ends;
-  };
-  using Ends = std::vector<std::pair<std::int64_t, std::int64_t>>;
-  EXPECT_EQ(ends({10, 11, 99, 1000}, 4), (Ends{{10, 10}, {11, 11}, {99, 99}, {1000, 1000}}));
-  EXPECT_EQ(ends({10, 11, 99, 100, 999, 1000}, 2), (Ends{{10, 99}, {100, 1000}}));
-  EXPECT_EQ(ends({0, 1, 2, 1000}, 3), (Ends{{0, 2}, {1000, 1000}}));
-  EXPECT_EQ(ends({}, 3), Ends{});
+  using report::size_bins;
+  using Bins = std::vector<report::SizeBin>;
+  EXPECT_EQ(size_bins({10, 11, 99, 1000}, 4), (Bins{{10, 10}, {11, 11}, {99, 99}, {1000, 1000}}));
+  EXPECT_EQ(size_bins({10, 11, 99, 100, 999, 1000}, 2), (Bins{{10, 99}, {100, 1000}}));
+  EXPECT_EQ(size_bins({0, 1, 2, 1000}, 3), (Bins{{0, 2}, {1000, 1000}}));
+  EXPECT_EQ(size_bins({}, 3), Bins{});
 }
 
 TEST(Tables, CellsAsJsonAndCsv) {

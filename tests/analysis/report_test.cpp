@@ -291,13 +291,6 @@ TEST(Report, BatchesAreShownAgainstTheIdeal) {
   }
 }
 
-TEST(Report, OfNothingSaysSo) {
-  const auto tables = tables_of(Results{});
-  EXPECT_EQ(tables["verdict"][0]["word"], "INCOMPLETE");
-  EXPECT_EQ(tables["verdict"][0]["rows"], 0);
-  EXPECT_EQ(tables["settings"].size(), 0u);
-}
-
 TEST(Report, NamesTheHashOfTheSpecification) {
   const Results results = good_results({"diamond"}, {"cubic"}, 3, 1);
   EXPECT_EQ(tables_of(results)["study"][0]["spec_hash"], content_hash(results.spec));

@@ -3,22 +3,57 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 
 #include "analysis/synthetic.h"
+#include "ar3d/analysis/scaling/samples.h"
 
 namespace ar3d::testing {
 namespace {
 
-double normal_ten_percent(RandomStream& random, double) { return 0.1 * normal(random); }
-double no_noise(RandomStream&, double) { return 0; }
+using Law = std::function<double(double n)>;
+
+double n_itself(double n) { return std::log(n); }
+
+/// Sizes whose graphs have truth(n), a logarithm, and normal noise of that spread.
+std::vector<SizeSample> sizes_of(const std::vector<std::int64_t>& sizes, std::size_t graphs,
+                                 const Law& truth, double noise = 0) {
+  RandomStream random(11);
+  std::vector<SizeSample> samples;
+  for (const std::int64_t n : sizes) {
+    SizeSample& sample = samples.emplace_back();
+    sample.n = n;
+    for (std::size_t i = 0; i < graphs; ++i) {
+      sample.instances.push_back({truth(static_cast<double>(n)) + noise * normal(random), i});
+    }
+  }
+  return samples;
+}
+
+/// So many sizes, each twice the one before.
+std::vector<std::int64_t> doubling(std::int64_t first, std::size_t count) {
+  std::vector<std::int64_t> sizes;
+  for (std::size_t i = 0; i < count; ++i) sizes.push_back(first << i);
+  return sizes;
+}
+
+ScalingEntry fit(const std::vector<std::int64_t>& sizes, std::size_t graphs, const Law& truth,
+                 double noise = 0) {
+  return fit_scaling(sizes_of(sizes, graphs, truth, noise));
+}
+
+std::vector<ScalingEntry> scaling(const Results& results) {
+  return ar3d::scaling(tally_of(results));
+}
 
 TEST(LinearFit, RecoversAnExactPlane) {
-  std::vector<FitPoint> points;
+  std::vector<std::vector<double>> x;
+  std::vector<double> y;
   for (int i = 0; i < 6; ++i) {
-    const double a = i, b = i * i;
-    points.push_back({{1, a, b}, 2 - 3 * a + 0.5 * b});
+    x.push_back({1, 1.0 * i, 1.0 * i * i});
+    y.push_back(2 - 3 * x[x.size() - 1][1] + 0.5 * x[x.size() - 1][2]);
   }
-  const LinearFit fit = fit_linear(points);
+  const LinearFit fit = fit_linear(x, y);
   EXPECT_NEAR(fit.coefficients[0], 2, 1e-10);
   EXPECT_NEAR(fit.coefficients[1], -3, 1e-10);
   EXPECT_NEAR(fit.coefficients[2], 0.5, 1e-10);
@@ -28,10 +63,8 @@ TEST(LinearFit, RecoversAnExactPlane) {
 }
 
 TEST(Scaling, AnExactPowerLawGivesItsExponentAndAPoint) {
-  RandomStream random(1);
-  const auto truth = [](double n) { return 2 + 1.5 * std::log(n); };
   const ScalingEntry entry =
-      fit_scaling(noisy_samples(doubling(64, 9), 3, random, truth, no_noise));
+      fit(doubling(64, 9), 3, [](double n) { return 2 + 1.5 * std::log(n); });
   ASSERT_TRUE(entry.decided);
   EXPECT_NEAR(entry.power.exponent, 1.5, 1e-9);
   EXPECT_NEAR(entry.power.log_factor, 2, 1e-9);
@@ -40,10 +73,7 @@ TEST(Scaling, AnExactPowerLawGivesItsExponentAndAPoint) {
 }
 
 TEST(Scaling, FewSizesAreUndecidedAndSayWhatIsMissing) {
-  RandomStream random(2);
-  const auto truth = [](double n) { return std::log(n); };
-  const ScalingEntry entry =
-      fit_scaling(noisy_samples(doubling(64, 7), 5, random, truth, normal_ten_percent));
+  const ScalingEntry entry = fit(doubling(64, 7), 5, n_itself, 0.1);
   EXPECT_FALSE(entry.decided);
   EXPECT_EQ(entry.growth, Growth::undecided);
   EXPECT_TRUE(entry.power.fitted) << "the estimate is shown, without an interval";
@@ -54,34 +84,25 @@ TEST(Scaling, FewSizesAreUndecidedAndSayWhatIsMissing) {
 }
 
 TEST(Scaling, WhatItAsksForDecides) {
-  const auto truth = [](double n) { return 2 * std::log(n); };
-  const auto study = [&](const std::vector<std::int64_t>& sizes, std::size_t seeds) {
-    RandomStream random(11);
-    return fit_scaling(noisy_samples(sizes, seeds, random, truth, normal_ten_percent));
-  };
+  const auto n_squared = [](double n) { return 2 * std::log(n); };
   std::vector<std::int64_t> sizes = doubling(64, 6);
-  ScalingEntry entry = study(sizes, 4);
+  ScalingEntry entry = fit(sizes, 4, n_squared, 0.1);
   for (int round = 0; round < 8 && entry.growth != Growth::power; ++round) {
     ASSERT_FALSE(entry.next.empty()) << entry.reason;
     sizes.insert(sizes.end(), entry.next_sizes.begin(), entry.next_sizes.end());
-    entry = study(sizes, 8);
+    entry = fit(sizes, 8, n_squared, 0.1);
   }
   EXPECT_EQ(entry.growth, Growth::power) << entry.reason << "; " << entry.next;
 }
 
 TEST(Scaling, CloseSizesAreUndecided) {
-  RandomStream random(3);
-  const auto truth = [](double n) { return std::log(n); };
-  const ScalingEntry entry = fit_scaling(noisy_samples({100, 110, 120, 130, 140, 150, 160, 170}, 5,
-                                                       random, truth, normal_ten_percent));
+  const ScalingEntry entry = fit({100, 110, 120, 130, 140, 150, 160, 170}, 5, n_itself, 0.1);
   EXPECT_FALSE(entry.decided);
   EXPECT_THAT(entry.reason, HasSubstr("1.7 times"));
 }
 
 TEST(Scaling, SmallSizesAreLeftOutOnlyWhileEnoughStay) {
-  RandomStream random(4);
-  const auto truth = [](double n) { return std::log(n); };
-  const auto many = noisy_samples(doubling(4, 12), 2, random, truth, no_noise);  // 4 … 8192
+  const auto many = sizes_of(doubling(4, 12), 2, n_itself);  // 4 … 8192
   const std::vector<SizeSample> chosen = choose_sizes(many, 8);
   EXPECT_EQ(chosen.size(), 8u);
   EXPECT_EQ(chosen.front().n, 64);
@@ -183,37 +204,30 @@ TEST(Scaling, OfAStudyFindsTheExponentOfEveryQuantity) {
 }
 
 TEST(Scaling, SizesOffTheLineWidenTheInterval) {
-  RandomStream random(5);
   const auto zigzag = [](double n) {
     return std::log(n) + (std::lround(std::log2(n)) % 2 == 0 ? 0.2 : -0.2);
   };
-  const auto quiet = [](RandomStream& r, double) { return 0.001 * normal(r); };
-  const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 10), 8, random, zigzag, quiet));
+  const ScalingEntry entry = fit(doubling(64, 10), 8, zigzag, 0.001);
   EXPECT_TRUE(entry.power.exponent_interval.contains(1));
   EXPECT_GT(entry.power.exponent_interval.width(), 0.05);
 }
 
 TEST(Scaling, AStrongLogarithmIsFoundAndNoneIsRuledOut) {
-  RandomStream random(6);
-  const auto quiet = [](RandomStream& r, double) { return 0.01 * normal(r); };
   const auto n_log2_n = [](double n) { return std::log(n) + 2 * std::log(std::log(n)); };
   const auto n_squared = [](double n) { return 2 * std::log(n); };
-  const auto sizes = doubling(64, 12);
-  const ScalingEntry with = fit_scaling(noisy_samples(sizes, 20, random, n_log2_n, quiet));
+  const ScalingEntry with = fit(doubling(64, 12), 20, n_log2_n, 0.01);
   EXPECT_EQ(with.growth, Growth::power_and_log) << with.reason;
   EXPECT_TRUE(with.with_log.log_exponent_interval.contains(2)) << with.reason;
-  const ScalingEntry without = fit_scaling(noisy_samples(sizes, 20, random, n_squared, quiet));
+  const ScalingEntry without = fit(doubling(64, 12), 20, n_squared, 0.01);
   EXPECT_EQ(without.growth, Growth::power) << without.reason;
   EXPECT_TRUE(without.law_interval.contains(2));
 }
 
 /// A theorem bounds this quantity by c n: a line that rises faster is true of its sizes only.
 TEST(Scaling, ALawAboveTheOrderOfATheoremIsApparent) {
-  RandomStream random(8);
-  const auto quiet = [](RandomStream& r, double) { return 0.001 * normal(r); };
   const auto n_12 = [](double n) { return 1.2 * std::log(n); };
   const SizeBound theorem{"here", "a page", {linear(8), sqrt_n(3), quadratic(1)}};
-  const ScalingEntry law = fit_scaling(noisy_samples(doubling(64, 12), 20, random, n_12, quiet));
+  const ScalingEntry law = fit(doubling(64, 12), 20, n_12, 0.001);
   ASSERT_EQ(law.growth, Growth::power) << law.reason;
   ScalingEntry below = law;
   refuse_law_above(theorem_order(theorem, Quantity::extent_z).value(), below);
@@ -231,31 +245,24 @@ TEST(Scaling, ALawAboveTheOrderOfATheoremIsApparent) {
 
 /// The local exponent rises at a cache boundary; logarithms of exponent -3 to -25 were seen in it.
 TEST(Scaling, ACacheBoundaryIsNoLogarithm) {
-  RandomStream random(7);
-  const auto quiet = [](RandomStream& r, double) { return 0.01 * normal(r); };
   const auto stepped = [](double n) { return std::log(n) + 1 / (1 + std::exp(-(n - 4e4) / 8e3)); };
-  const ScalingEntry entry =
-      fit_scaling(noisy_samples(doubling(464, 9), 8, random, stepped, quiet));
+  const ScalingEntry entry = fit(doubling(464, 9), 8, stepped, 0.01);
   EXPECT_EQ(entry.growth, Growth::apparent) << entry.reason;
   EXPECT_THAT(entry.reason, HasSubstr("rises"));
 }
 
 /// Volumes of boxes (an + b)^3 were once called n^3.02 log^0.61 n.
 TEST(Scaling, ALogarithmsExponentIsAWholeNumber) {
-  RandomStream random(9);
   const auto truth = [](double n) { return 3 * std::log(n) + 0.6 * std::log(std::log(n)); };
-  const auto quiet = [](RandomStream& r, double) { return 0.002 * normal(r); };
-  const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 12), 8, random, truth, quiet));
+  const ScalingEntry entry = fit(doubling(64, 12), 8, truth, 0.002);
   EXPECT_FALSE(entry.with_log.log_exponent_interval.contains(1));
   EXPECT_EQ(entry.growth, Growth::apparent) << entry.reason;
 }
 
 /// The apparent exponent of n + 4 sqrt(n) is below 1, which is the exponent.
 TEST(Scaling, ALowerOrderTermIsNoExponent) {
-  RandomStream random(8);
-  const auto exact = [](double n) { return std::log(n + 4 * std::sqrt(n)); };
   const ScalingEntry entry =
-      fit_scaling(noisy_samples(doubling(64, 8), 8, random, exact, no_noise));
+      fit(doubling(64, 8), 8, [](double n) { return std::log(n + 4 * std::sqrt(n)); });
   EXPECT_LT(entry.power.exponent, 0.95);
   EXPECT_EQ(entry.growth, Growth::apparent) << entry.reason;
 }

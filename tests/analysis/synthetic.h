@@ -2,13 +2,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "ar3d/analysis/report.h"
-#include "ar3d/analysis/scaling/samples.h"
 #include "ar3d/base/random.h"
 #include "ar3d/store/run_storage.h"
 #include "support/tables.h"
@@ -73,6 +71,17 @@ inline Results good_results(const std::vector<std::string>& algorithms,
   return results;
 }
 
+inline CheckVerdict check(const Results& results) { return ar3d::check(view_of(results)); }
+
+inline StudyTally tally_of(const Results& results) {
+  return ar3d::tally_of(view_of(results), check(results).is_last_repetition);
+}
+
+/// The curves, with their medians and bounds.
+inline std::vector<CurveTally> curves_of(const Results& results) {
+  return analyse(view_of(results)).tally.curves;
+}
+
 inline std::string report_of(const Results& results) {
   return render_report(analyse(view_of(results)));
 }
@@ -94,30 +103,6 @@ inline Results timed(Results results) {
     results.runs.back().phase = RunPhase::timing;
   }
   return results;
-}
-
-/// Samples whose logarithms are truth(n) + noise(random, n), with `instances` a size.
-inline std::vector<SizeSample> noisy_samples(
-    const std::vector<std::int64_t>& sizes, std::size_t instances, RandomStream& random,
-    const std::function<double(double)>& truth,
-    const std::function<double(RandomStream&, double)>& noise) {
-  std::vector<SizeSample> samples;
-  for (const std::int64_t n : sizes) {
-    SizeSample sample;
-    sample.n = n;
-    for (std::size_t i = 0; i < instances; ++i) {
-      const auto n_float = static_cast<double>(n);
-      sample.instances.push_back({truth(n_float) + noise(random, n_float), i});
-    }
-    samples.push_back(std::move(sample));
-  }
-  return samples;
-}
-
-inline std::vector<std::int64_t> doubling(std::int64_t first, std::size_t count) {
-  std::vector<std::int64_t> sizes;
-  for (std::size_t i = 0; i < count; ++i) sizes.push_back(first << i);
-  return sizes;
 }
 
 /// 3 algorithms x 10 families x 10 sizes with `repetitions` each: 300 cells.

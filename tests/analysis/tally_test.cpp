@@ -61,12 +61,12 @@ TEST(Tally, MeasuredRowsAreCountedAndNothingElseOfTheirCurveChanges) {
   for (ar3d::RunRecord& run : results.runs) {
     if (run.algorithm == "peer") run.status = RunStatus::measured;
   }
-  const std::vector<BoundsEntry> entries = bounds_table(results);
-  ASSERT_EQ(entries.size(), 2u);
-  EXPECT_EQ(entries[1].count(RunStatus::measured), 12u);
-  for (const BoundsEntry& entry : entries) {
-    EXPECT_EQ(entry.smallest_n, 16);
-    EXPECT_EQ(entry.largest_n, 128);
+  const std::vector<CurveTally> curves = tally_of(results).curves;
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[1].count(RunStatus::measured), 12u);
+  for (const CurveTally& curve : curves) {
+    EXPECT_EQ(curve.smallest_n, 16);
+    EXPECT_EQ(curve.largest_n, 128);
   }
 }
 
@@ -121,9 +121,9 @@ class MadeRows {
 TEST(Tally, KeepsASampleOfVeryManyGraphsAndCountsAll) {
   const std::size_t count = 30000;
   const MadeRows rows(count);
-  const CheckedRows examination = examine(rows.view());
-  EXPECT_EQ(examination.verdict.exit_code(), 0);
-  const StudyTally tally = tally_of(rows.view(), examination.is_last_repetition);
+  const CheckVerdict verdict = ar3d::check(rows.view());
+  EXPECT_EQ(verdict.exit_code(), 0);
+  const StudyTally tally = ar3d::tally_of(rows.view(), verdict.is_last_repetition);
   EXPECT_EQ(tally.kept_graphs, 4096u);
   const SizeTally& size = tally.curves.at(0).sizes.at(64);
   EXPECT_EQ(size.drawn, count);
@@ -149,7 +149,7 @@ TEST(Tally, KeepsASampleOfVeryManyGraphsAndCountsAll) {
 
 TEST(Tally, SamplesHaveTheMeansOfAllInTheirFits) {
   const MadeRows rows(10000);
-  const StudyTally tally = tally_of(rows.view(), examine(rows.view()).is_last_repetition);
+  const StudyTally tally = ar3d::tally_of(rows.view(), ar3d::check(rows.view()).is_last_repetition);
   const std::vector<SizeSample> sizes = samples(tally.curves[0], Quantity::extent_x);
   ASSERT_EQ(sizes.size(), 1u);
   EXPECT_EQ(sizes[0].instances.size(), 4096u);

@@ -2,14 +2,12 @@
 // docs/analysis.md quotes the rates that these tests print as properties.
 #include "ar3d/analysis/compare/time_change.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
-#include "machine_noise.h"
+#include "ar3d/base/random.h"
+#include "synthetic.h"
 
 namespace ar3d::testing {
 namespace {
@@ -17,6 +15,68 @@ namespace {
 constexpr std::size_t kCells = 240;
 constexpr std::size_t kRounds = 15;
 constexpr int kRepetitions = 5;
+
+/// The stated noise model of a machine, for simulated comparisons: a time is its true value times
+/// log-normal noise of 3 % a repetition; one repetition in ten is hit by a burst that multiplies it
+/// by 1 + a Pareto number (index 1, from 0.1: in the mean infinite); a process is faster or slower
+/// as a whole by log-normal 0.5 % (its memory layout); the machine drifts by a sine of +-10 % over
+/// fifteen rounds and a random walk of 1 % a process, half of which an A meets before its B.
+class MachineNoise {
+ public:
+  /// @param burst_percent  of the repetitions: 10 on a quiet machine, more on a loaded one.
+  MachineNoise(std::uint64_t seed, std::uint64_t trial, std::uint32_t burst_percent = 10)
+      : random_(seed, trial), burst_percent_(burst_percent) {}
+
+  /// log(B / A) of every cell and round, the sides in turns, the smallest of kRepetitions each.
+  /// @param slowdown  of B, by cell: log(true B / true A).
+  std::vector<std::vector<double>> rounds(const std::vector<double>& slowdown) {
+    std::vector<std::vector<double>> ratios(slowdown.size());
+    for (std::size_t round = 0; round < kRounds; ++round) {
+      const bool b_first = round % 2 == 1;
+      const std::vector<double> first = process(slowdown.size());
+      const std::vector<double> second = process(slowdown.size());
+      for (std::size_t cell = 0; cell < slowdown.size(); ++cell) {
+        const double gain = second[cell] - first[cell];
+        ratios[cell].push_back(slowdown[cell] + (b_first ? -gain : gain));
+      }
+    }
+    return ratios;
+  }
+
+ private:
+  /// Log of the smallest time of every cell in one process.
+  std::vector<double> process(std::size_t cells) {
+    clock_ += 1;
+    walk_ += 0.01 * normal(random_);
+    const double drift = 0.1 * std::sin(2 * std::numbers::pi * clock_ / 30);
+    const double layout = 0.005 * normal(random_);
+    std::vector<double> smallest;
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+      double best = repetition();
+      for (int i = 1; i < kRepetitions; ++i) best = std::min(best, repetition());
+      smallest.push_back(best + drift + walk_ + layout + 0.005 * normal(random_));
+    }
+    return smallest;
+  }
+
+  double repetition() {
+    const double noise = 0.03 * normal(random_);
+    if (!random_.chance(burst_percent_, 100)) return noise;
+    return noise + std::log1p(0.1 / (1 - random_.unit()));
+  }
+
+  RandomStream random_;
+  std::uint32_t burst_percent_;
+  double clock_ = 0;
+  double walk_ = 0;
+};
+
+/// A trial of that many cells, B slower by `slowdown`.
+std::vector<TimeVerdict> judged(std::uint64_t seed, std::uint64_t trial,
+                                const std::vector<double>& slowdown,
+                                std::uint32_t burst_percent = 10) {
+  return judge_times(MachineNoise(seed, trial, burst_percent).rounds(slowdown), {});
+}
 
 std::size_t count(const std::vector<TimeVerdict>& verdicts, TimeChange change) {
   return static_cast<std::size_t>(std::count_if(verdicts.begin(), verdicts.end(),
@@ -27,9 +87,7 @@ TEST(TimeChange, AProgramAgainstItselfGivesNoMoreThanOneFalseAlarmInAThousandCel
   constexpr std::size_t kTrials = 400;
   std::size_t alarms = 0, passes = 0;
   for (std::size_t trial = 0; trial < kTrials; ++trial) {
-    const auto ratios =
-        MachineNoise(11, trial).rounds(std::vector<double>(kCells, 0), kRounds, kRepetitions);
-    const auto verdicts = judge_times(ratios, {});
+    const auto verdicts = judged(11, trial, std::vector<double>(kCells, 0));
     alarms += count(verdicts, TimeChange::slower) + count(verdicts, TimeChange::faster);
     passes += count(verdicts, TimeChange::same);
   }
@@ -45,8 +103,7 @@ TEST(TimeChange, TenPercentInOneCellAmongAllAreFoundNinetyNineTimesOfAHundred) {
   for (std::size_t trial = 0; trial < kTrials; ++trial) {
     std::vector<double> slowdown(kCells, 0);
     slowdown[trial % kCells] = std::log(1.10);
-    const auto verdicts =
-        judge_times(MachineNoise(12, trial).rounds(slowdown, kRounds, kRepetitions), {});
+    const auto verdicts = judged(12, trial, slowdown);
     const bool here = verdicts[trial % kCells].change == TimeChange::slower;
     found += here;
     others += count(verdicts, TimeChange::slower) + count(verdicts, TimeChange::faster) - here;
@@ -67,8 +124,7 @@ TEST(TimeChange, ASlowerBuildNeverPassesUnnoticed) {
       std::size_t slower = 0, same = 0;
       for (std::size_t trial = 0; trial < kTrials; ++trial) {
         const std::vector<double> slowdown(kCells, std::log1p(percent / 100));
-        MachineNoise machine(16, trial, bursts);
-        const auto verdicts = judge_times(machine.rounds(slowdown, kRounds, kRepetitions), {});
+        const auto verdicts = judged(16, trial, slowdown, bursts);
         slower += count(verdicts, TimeChange::slower);
         same += count(verdicts, TimeChange::same);
       }
@@ -91,8 +147,7 @@ TEST(TimeChange, TenPercentFasterIsAnImprovementAndTwoPercentArePassed) {
   std::vector<double> slowdown(kCells, 0);
   slowdown[3] = -std::log(1.10);
   slowdown[4] = std::log(1.01);
-  const auto verdicts =
-      judge_times(MachineNoise(13, 0).rounds(slowdown, kRounds, kRepetitions), {});
+  const auto verdicts = judged(13, 0, slowdown);
   EXPECT_EQ(verdicts[3].change, TimeChange::faster);
   EXPECT_EQ(verdicts[4].change, TimeChange::same);
 }
@@ -121,7 +176,7 @@ TEST(TimeChange, ManyPairsAreThinnedNotRefused) {
 TEST(SmallestVisibleSlowdown, IsExactlyWhereTheVerdictTurns) {
   const TimeRule rule;
   for (std::uint64_t trial = 0; trial < 20; ++trial) {
-    const auto ratios = MachineNoise(14, trial).rounds({0.0}, kRounds, kRepetitions);
+    const auto ratios = MachineNoise(14, trial).rounds({0.0});
     const double slowdown = smallest_visible_slowdown(ratios[0], rule, 1);
     for (const double sign : {-1.0, 1.0}) {
       std::vector<double> shifted;
@@ -136,8 +191,7 @@ TEST(SmallestVisibleSlowdown, IsExactlyWhereTheVerdictTurns) {
 }
 
 TEST(Calibration, StatesFalseAlarmsAndWhatIsVisible) {
-  const auto ratios =
-      MachineNoise(15, 0).rounds(std::vector<double>(kCells, 0), kRounds, kRepetitions);
+  const auto ratios = MachineNoise(15, 0).rounds(std::vector<double>(kCells, 0));
   const Calibration calibration = calibrate(ratios, {}, 100);
   EXPECT_EQ(calibration.cells, kCells);
   EXPECT_EQ(calibration.pairs, kRounds);

@@ -54,7 +54,7 @@ TEST(Levels, TellTheSameBitForBit) {
   EXPECT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows["extents"], rows["full"]);
   EXPECT_EQ(rows["positions"], rows["full"]);
-  EXPECT_TRUE(check(one).findings.empty());
+  EXPECT_TRUE(check(view_of(one)).findings.empty());
 }
 
 TEST(Levels, CheckFindsLevelsThatDisagree) {
@@ -64,9 +64,9 @@ TEST(Levels, CheckFindsLevelsThatDisagree) {
       "t.toml");
   Results results = run_study(spec);
   ASSERT_EQ(results.runs.size(), 2u);
-  EXPECT_TRUE(check(results).findings.empty());
+  EXPECT_TRUE(check(view_of(results)).findings.empty());
   results.runs[1].bends[0] += 1;
-  const auto findings = check(results).findings;
+  const auto findings = check(view_of(results)).findings;
   ASSERT_FALSE(findings.empty());
   EXPECT_EQ(findings[0].kind, FindingKind::not_repeatable);
 }
