@@ -298,7 +298,7 @@ void add_draw(CLI::App& app, int& exit_code) {
                    "proved=int16, int32, int64 by the theorem's bound, checked=int16, ... by their "
                    "own box");
   add_threads_option(*verb);
-  PictureView& view = arguments->picture.view;
+  ExportOptions& view = arguments->picture;
   verb->add_option("--turn", view.turn_degrees, "svg, tikz: turn about the z axis, degrees")
       ->check(finite_number(false));
   verb->add_option("--tilt", view.tilt_degrees, "svg, tikz: 0 is seen from above, 90 from the side")
@@ -310,8 +310,7 @@ void add_draw(CLI::App& app, int& exit_code) {
       ->check(finite_number(true));
   verb->add_flag("--stretch", view.stretch,
                  "svg, tikz: scale the axes so that the box is a cube; angles are not true then");
-  verb->add_option("--tube", arguments->picture.tube_radius,
-                   "stl: radius of the tubes in lattice units")
+  verb->add_option("--tube", view.tube_radius, "stl: radius of the tubes in lattice units")
       ->check(finite_number(true));
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
   add_force(*verb, arguments->force);

@@ -48,8 +48,7 @@ PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm, con
     verdict.text = "made in a real type, so nothing is proved; ar3d verify measures what it misses";
     return verdict;
   }
-  verdict.kind = certificate.valid() ? PageVerdict::PageJudgement::certified
-                                     : PageVerdict::PageJudgement::violated;
+  verdict.kind = certificate.valid() ? "certified" : "violated";
   verdict.text = fmt::format("judged in exact integers against the guarantee of {}, on the {}{}",
                              algorithm->name, graph ? "edges drawn" : "graph given",
                              certificate.complete ? "" : "; not all violations are listed");

@@ -173,9 +173,9 @@ Graph read_graph(const std::string& path, const ReadOptions& options) {
 }
 
 void write_graphs(const std::vector<Graph>& graphs, const GraphFormat& format,
-                  const std::string& path, const WriteOptions& options) {
+                  const std::string& path, unsigned base) {
   OutputFile output(path);
-  const GraphWriter write = format.writer(output, options);
+  const GraphWriter write = format.writer(output, base);
   for (const Graph& graph : graphs) write(graph);
   output.append(format.tail);
   output.commit();

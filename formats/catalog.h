@@ -82,7 +82,6 @@ class GraphReader {
   std::vector<std::string> names() const { return parser_->names(); }
 
   const GraphFormat& format() const { return *format_; }
-  std::uint64_t graphs_read() const { return graphs_read_; }
   /// "FILE:LINE" of the last line read, for messages about the graph just given.
   std::string where() const;
 
@@ -103,6 +102,6 @@ Graph read_graph(const std::string& path, const ReadOptions& options = {});
 /// Writes graphs to a file ("-": standard output) that appears only when it is complete.
 /// @throws InputError if it cannot be written.
 void write_graphs(const std::vector<Graph>& graphs, const GraphFormat& format,
-                  const std::string& path, const WriteOptions& options = {});
+                  const std::string& path, unsigned base = 0);
 
 }  // namespace ar3d

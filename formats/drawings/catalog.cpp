@@ -35,25 +35,24 @@ void write_jsonl(const NextDrawing& next, const std::string& path, const ExportO
   file.commit();
 }
 
-/// A format that holds one drawing per file.
+/// A format that holds one drawing per file. @param make  writes it, or returns its text.
 template <class Make>
-auto one_text(std::string_view format, Make make) {
-  return [format, make](const NextDrawing& next, const std::string& path,
-                        const ExportOptions& options) {
-    const Drawing drawing = only_drawing(next, format);
+DrawingFormat one_drawing(std::string name, std::vector<std::string> extensions,
+                          std::string summary, Make make) {
+  const auto write = [name, make](const NextDrawing& next, const std::string& path,
+                                  const ExportOptions& options) {
+    const Drawing drawing = only_drawing(next, name);
     OutputFile file(path);
-    if constexpr (std::is_invocable_v<Make, OutputFile&, const Drawing&>) {
+    if constexpr (std::is_invocable_v<Make, const Drawing&, const ExportOptions&>) {
+      file.append(make(drawing, options));
+    } else if constexpr (std::is_invocable_v<Make, OutputFile&, const Drawing&>) {
       make(file, drawing);
     } else {
       make(file, drawing, options);
     }
     file.commit();
   };
-}
-
-template <std::string (*make)(const Drawing&, const PictureView&)>
-void write_picture(OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
-  file.append(make(drawing, options.view));
+  return {std::move(name), std::move(extensions), std::move(summary), false, write};
 }
 
 std::vector<DrawingFormat> catalogue() {
@@ -63,41 +62,30 @@ std::vector<DrawingFormat> catalogue() {
        "exact: positions, bends and metric, one JSON line per drawing; read by verify",
        true,
        write_jsonl},
-      {"svg",
-       {".svg"},
-       "a picture of a small drawing: roles as colours, gaps where edges pass behind others",
-       false,
-       one_text("svg", write_picture<drawing_to_svg>)},
-      {"tikz",
-       {".tex", ".tikz"},
-       "the same picture for LaTeX: roles as named colours",
-       false,
-       one_text("tikz", write_picture<drawing_to_tikz>)},
-      {"vtp",
-       {".vtp"},
-       "VTK, for ParaView: numbers, roles, colours, exact lattice coordinates; lattice units",
-       false,
-       one_text("vtp", write_vtp)},
-      {"glb",
-       {".glb"},
-       "glTF 2.0: numbers as attributes, roles as materials; coordinates of 32 bits, lattice units "
-       "as metres",
-       false,
-       one_text("glb", write_glb)},
-      {"stl",
-       {".stl"},
-       "closed tubes and balls for 3D printing; no numbers, no colours; lattice units as "
-       "millimetres; --tube",
-       false,
-       one_text("stl",
-                [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
-                  write_stl(file, drawing, options.tube_radius);
-                })},
-      {"graphml",
-       {".graphml"},
-       "the graph with exact lattice coordinates, bends and roles as attributes, and the metric",
-       false,
-       one_text("graphml", write_graphml)},
+      one_drawing(
+          "svg", {".svg"},
+          "a picture of a small drawing: roles as colours, gaps where edges pass behind others",
+          drawing_to_svg),
+      one_drawing("tikz", {".tex", ".tikz"}, "the same picture for LaTeX: roles as named colours",
+                  drawing_to_tikz),
+      one_drawing(
+          "vtp", {".vtp"},
+          "VTK, for ParaView: numbers, roles, colours, exact lattice coordinates; lattice units",
+          write_vtp),
+      one_drawing("glb", {".glb"},
+                  "glTF 2.0: numbers as attributes, roles as materials; coordinates of 32 bits, "
+                  "lattice units as metres",
+                  write_glb),
+      one_drawing("stl", {".stl"},
+                  "closed tubes and balls for 3D printing; no numbers, no colours; lattice units "
+                  "as millimetres; --tube",
+                  [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
+                    write_stl(file, drawing, options.tube_radius);
+                  }),
+      one_drawing(
+          "graphml", {".graphml"},
+          "the graph with exact lattice coordinates, bends and roles as attributes, and the metric",
+          write_graphml),
   };
 }
 
@@ -123,9 +111,9 @@ std::string drawing_formats_text() {
 }
 
 void write_drawing(const DrawingFormat& format, Drawing drawing, const std::string& where,
-                   const std::string& path, const ExportOptions& view) {
+                   const std::string& path, const ExportOptions& options) {
   std::optional<PlacedLine> only = PlacedLine{std::move(drawing), where};
-  format.write([&] { return std::exchange(only, std::nullopt); }, path, view);
+  format.write([&] { return std::exchange(only, std::nullopt); }, path, options);
 }
 
 const DrawingFormat& drawing_format(std::string_view name, const std::string& path) {

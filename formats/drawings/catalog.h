@@ -21,12 +21,6 @@ struct PlacedLine {
 /// The next drawing to be written; nothing at the end.
 using NextDrawing = std::function<std::optional<PlacedLine>()>;
 
-/// Holds what some formats can be told.
-struct ExportOptions {
-  PictureView view;          ///< of pictures
-  double tube_radius = 0.2;  ///< of what is printed, in lattice units
-};
-
 /// One row of the catalogue of drawing formats.
 struct DrawingFormat {
   std::string name;
@@ -51,7 +45,7 @@ std::string drawing_formats_text();
 
 /// Writes one drawing; `where` names it in messages.
 void write_drawing(const DrawingFormat& format, Drawing drawing, const std::string& where,
-                   const std::string& path, const ExportOptions& view = {});
+                   const std::string& path, const ExportOptions& options = {});
 
 /// The format called `name`, or, if that is empty, the one whose ending the path has; JSON lines
 /// where the path has no ending and for standard output.

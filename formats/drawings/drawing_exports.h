@@ -24,9 +24,6 @@ namespace ar3d {
 
 /// Most vertices and bends of an exported drawing.
 inline constexpr std::uint64_t kMaxExportPoints = std::uint64_t{1} << 24;
-/// Largest extent of a drawing for formats with coordinates of 32 bits: rounded by less than 1/128
-/// of a unit.
-inline constexpr std::int64_t kMaxPrintExtent = std::int64_t{1} << 16;
 
 /// VTK PolyData as XML: points with the number of the vertex (-1: a bend) and exact lattice
 /// coordinates, cells with the number of the edge (-1: a vertex), role and colour.
@@ -42,7 +39,7 @@ void write_glb(OutputFile& output, const Drawing& drawing);
 /// STL, binary, for 3D printing: each edge a closed tube with mitred bends, each vertex a closed
 /// ball; a slicer unites them. The low corner of the box is the origin.
 /// @param radius  of the tubes in units; balls have 2.2 times that.
-/// @throws InputError also if an extent passes kMaxPrintExtent, an edge has a segment of length 0
+/// @throws InputError also if an extent passes 2^16, an edge has a segment of length 0
 /// or turns back, or a segment is too short for the bends at its ends.
 void write_stl(OutputFile& output, const Drawing& drawing, double radius);
 
@@ -102,11 +99,6 @@ void for_each_numbered_polyline(const Drawing& drawing, Visit&& visit) {
     numbers.push_back(drawing.edge(e).v);
     visit(e, numbers);
   });
-}
-
-/// The colour of an edge.
-inline Rgb colour_of(const EdgeRoles& roles, EdgeId e) {
-  return roles.roles[roles.edges[e]].colour;
 }
 
 inline constexpr Rgb kVertexColour = {44, 49, 57};

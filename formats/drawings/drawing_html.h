@@ -22,9 +22,8 @@ struct PageViolation {
 
 /// Holds what a page says of a drawing beside showing it.
 struct PageVerdict {
-  enum class PageJudgement { certified, violated, not_judged };
-  PageJudgement kind = PageJudgement::not_judged;
-  std::string text;  ///< what was judged, or why nothing was
+  const char* kind = "not judged";  ///< or "certified", or "violated"
+  std::string text;                 ///< what was judged, or why nothing was
   std::vector<PageViolation> violations;
 };
 

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t kSides = 12;  // of a tube
 constexpr double kBallToTube = 2.2;
 constexpr std::uint64_t kMaxTriangles = 20'000'000;  // a file of 1 GB
+constexpr std::int64_t kMostExtent = 1 << 16;  // 32 bits round it by less than 1/128 of a unit
 
 using Ring = std::array<Real3, kSides>;
 using Corner = std::array<float, 3>;
@@ -141,7 +142,7 @@ std::uint64_t count_triangles(const Drawing& drawing, std::size_t ball) {
 }  // namespace
 
 void write_stl(OutputFile& output, const Drawing& drawing, double radius) {
-  refuse_larger_extents(drawing, kMaxPrintExtent, "stl");
+  refuse_larger_extents(drawing, kMostExtent, "stl");
   const auto ball = unit_ball();
   const auto count = static_cast<std::uint32_t>(count_triangles(drawing, ball.size()));
   std::string head = "ar3d: edges as closed tubes, vertices as closed balls";

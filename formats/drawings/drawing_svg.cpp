@@ -6,7 +6,7 @@
 #include "ar3d/formats/drawings/drawing_exports.h"
 
 namespace ar3d {
-std::string drawing_to_svg(const Drawing& drawing, const PictureView& view) {
+std::string drawing_to_svg(const Drawing& drawing, const ExportOptions& view) {
   const Projection picture = project(drawing, view, "svg");
   const EdgeRoles roles = edge_roles(drawing);
   std::string out = fmt::format(
@@ -39,7 +39,7 @@ std::string drawing_to_svg(const Drawing& drawing, const PictureView& view) {
   return out + "</g>\n</svg>\n";
 }
 
-std::string drawing_to_tikz(const Drawing& drawing, const PictureView& view) {
+std::string drawing_to_tikz(const Drawing& drawing, const ExportOptions& view) {
   const Projection picture = project(drawing, view, "tikz");
   const EdgeRoles roles = edge_roles(drawing);
   constexpr double kPoints = 0.4;  // of one unit of the picture: 900 units are 12.7 cm

@@ -12,11 +12,11 @@ namespace ar3d {
 /// Angles are true in space: the lattice's metric is embedded before projecting. Each element has
 /// the class of what it shows, so that a style sheet can change it.
 /// @throws InputError as project().
-std::string drawing_to_svg(const Drawing& drawing, const PictureView& view = {});
+std::string drawing_to_svg(const Drawing& drawing, const ExportOptions& view = {});
 
 /// The same picture as a tikzpicture, for \input in a document that loads TikZ; sizes in points,
 /// colours named ar3drole0, ar3drole1, …
 /// @throws InputError as project().
-std::string drawing_to_tikz(const Drawing& drawing, const PictureView& view = {});
+std::string drawing_to_tikz(const Drawing& drawing, const ExportOptions& view = {});
 
 }  // namespace ar3d

@@ -35,7 +35,6 @@ Json bound_json(const Guarantee* guarantee, std::uint64_t n) {
 }
 
 Json verdict_json(const PageVerdict& verdict) {
-  constexpr const char* kKinds[] = {"certified", "violated", "not judged"};
   Json list = Json::array();
   for (const PageViolation& violation : verdict.violations) {
     Json points = Json::array();
@@ -46,9 +45,7 @@ Json verdict_json(const PageVerdict& verdict) {
                     {"edges", violation.edges},
                     {"points", points}});
   }
-  return {{"kind", kKinds[static_cast<int>(verdict.kind)]},
-          {"text", verdict.text},
-          {"violations", list}};
+  return {{"kind", verdict.kind}, {"text", verdict.text}, {"violations", list}};
 }
 
 /// Nothing in the text ends a script element that holds it.
@@ -78,7 +75,7 @@ PageEntry page_facts(const std::string& title, const Drawing& drawing, const Edg
     throw InputError(fmt::format("{}: an extent of {}, html holds at most {} (2^52)", title,
                                  longest, kMaxPageExtent));
   }
-  const GrowthOrder order = growth_order(drawing);
+  const auto [order, weights] = growth_order(drawing);
   PageEntry entry;
   entry.title = title;
   entry.points = n + bends;
@@ -92,7 +89,7 @@ PageEntry page_facts(const std::string& title, const Drawing& drawing, const Edg
                            {"gram", drawing.lattice().gram},
                            {"gram_denominator", drawing.lattice().gram_denominator},
                            {"roles", roles_json(roles)},
-                           {"order", {{"title", order.title}, {"weights", order.weights}}},
+                           {"order", {{"title", order}, {"weights", weights}}},
                            {"names", drawing.names ? Json(*drawing.names) : Json()},
                            {"bound", bound_json(guarantee, n)},
                            {"verdict", verdict_json(verdict)}});

@@ -29,7 +29,7 @@ struct PicturePoint {
 /// Picture coordinates before scaling: x to the right, y down.
 class Camera {
  public:
-  Camera(const Drawing& drawing, const PictureView& view)
+  Camera(const Drawing& drawing, const ExportOptions& view)
       : embed_(drawing.lattice()),
         turn_(view.turn_degrees * std::numbers::pi / 180),
         tilt_(view.tilt_degrees * std::numbers::pi / 180) {
@@ -197,9 +197,8 @@ void append_pieces(const PictureSegment& s, const Camera& camera, std::vector<Pa
   }
 }
 
-struct PictureFrame {
-  double low_x = 0, low_y = 0, high_x = 0, high_y = 0, farthest = 0, nearest = 0;
-};
+/// The least and the largest of all coordinates.
+using PictureFrame = std::pair<PicturePoint, PicturePoint>;
 
 PictureFrame frame_of(const std::vector<PictureSegment>& segments,
                       const std::vector<PicturePoint>& balls) {
@@ -209,26 +208,25 @@ PictureFrame frame_of(const std::vector<PictureSegment>& segments,
     spots.push_back(s.b);
   }
   if (spots.empty()) return {};
-  PictureFrame f{spots[0].at.x, spots[0].at.y, spots[0].at.x,
-                 spots[0].at.y, spots[0].near, spots[0].near};
-  for (const PicturePoint& spot : spots) {
-    f = {std::min(f.low_x, spot.at.x),    std::min(f.low_y, spot.at.y),
-         std::max(f.high_x, spot.at.x),   std::max(f.high_y, spot.at.y),
-         std::min(f.farthest, spot.near), std::max(f.nearest, spot.near)};
+  PicturePoint low = spots[0], high = spots[0];
+  for (const auto& [at, near] : spots) {
+    low = {{std::min(low.at.x, at.x), std::min(low.at.y, at.y)}, std::min(low.near, near)};
+    high = {{std::max(high.at.x, at.x), std::max(high.at.y, at.y)}, std::max(high.near, near)};
   }
-  return f;
+  return {low, high};
 }
 
 /// From the drawing's units to those of the picture.
-void place_on_paper(Projection& picture, const PictureFrame& f, double scale) {
-  const auto placed = [&](Place p) {
-    return Place{kMargin + (p.x - f.low_x) * scale, kMargin + (p.y - f.low_y) * scale};
+void place_on_paper(Projection& picture, const PictureFrame& frame, double scale) {
+  const auto& low = frame.first;
+  const double depth = std::max(frame.second.near - low.near, 1e-9);
+  const auto placed = [&low, scale](Place p) {
+    return Place{kMargin + (p.x - low.at.x) * scale, kMargin + (p.y - low.at.y) * scale};
   };
   for (PaintedItem& item : picture.items) {
     item.from = placed(item.from);
     item.to = placed(item.to);
-    item.nearness = (item.depth - f.farthest) / std::max(f.nearest - f.farthest, 1e-9);
-    item.nearness = std::clamp(item.nearness, 0.0, 1.0);
+    item.nearness = std::clamp((item.depth - low.near) / depth, 0.0, 1.0);
   }
   std::stable_sort(picture.items.begin(), picture.items.end(),
                    [](const PaintedItem& a, const PaintedItem& b) { return a.depth < b.depth; });
@@ -236,19 +234,21 @@ void place_on_paper(Projection& picture, const PictureFrame& f, double scale) {
 
 }  // namespace
 
-Projection project(const Drawing& drawing, const PictureView& view, std::string_view format) {
+Projection project(const Drawing& drawing, const ExportOptions& view, std::string_view format) {
   const Camera camera(drawing, view);
   std::vector<PictureSegment> segments = collect(drawing, camera, format);
   std::vector<PicturePoint> balls;
   for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
     balls.push_back(camera(drawing.vertex(static_cast<Vertex>(v))));
   }
-  const PictureFrame f = frame_of(segments, balls);
-  const double span = std::max({f.high_x - f.low_x, f.high_y - f.low_y, 1e-9});
+  const PictureFrame frame = frame_of(segments, balls);
+  const auto& [low, high] = frame;
+  const double width = high.at.x - low.at.x, height = high.at.y - low.at.y;
+  const double span = std::max({width, height, 1e-9});
   const double scale = (view.longer_side - 2 * kMargin) / span;
   Projection picture;
-  picture.width = (f.high_x - f.low_x) * scale + 2 * kMargin;
-  picture.height = (f.high_y - f.low_y) * scale + 2 * kMargin;
+  picture.width = width * scale + 2 * kMargin;
+  picture.height = height * scale + 2 * kMargin;
   const double crowded = 42 / std::sqrt(static_cast<double>(segments.size() + 1));
   picture.stroke = std::clamp(scale * 0.34, std::clamp(crowded, 1.2, 5.0), 7.0);
   picture.ball = kBallToStroke * picture.stroke;
@@ -259,10 +259,10 @@ Projection project(const Drawing& drawing, const PictureView& view, std::string_
     const PicturePoint& ball = balls[v];
     // In front of the strokes that end at it.
     const double front =
-        (f.nearest - f.farthest) * 1e-6 + picture.ball / scale * (view.perspective > 0 ? 0 : 1);
+        (high.near - low.near) * 1e-6 + picture.ball / scale * (view.perspective > 0 ? 0 : 1);
     picture.items.push_back({ball.at, ball.at, -1, ball.near + front, 0, camera.scale(ball), v});
   }
-  place_on_paper(picture, f, scale);
+  place_on_paper(picture, frame, scale);
   return picture;
 }
 

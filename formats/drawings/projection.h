@@ -8,14 +8,16 @@
 
 namespace ar3d {
 
-/// The camera of a picture: turn about the z axis, then tilt towards the viewer.
-struct PictureView {
+/// Holds what some formats can be told. The camera of a picture turns about the z axis, then tilts
+/// towards the viewer.
+struct ExportOptions {
   double turn_degrees = 28;
   double tilt_degrees = 62;  ///< 0: from above, 90: from the side
   /// Distance of the eye from the middle of the box, in diagonals of the box; 0: orthographic.
   double perspective = 0;
-  bool stretch = false;   ///< axes scaled so that the box is a cube: angles are not true then
-  int longer_side = 900;  ///< units of the picture; the other side follows from the drawing
+  bool stretch = false;      ///< axes scaled so that the box is a cube: angles are not true then
+  int longer_side = 900;     ///< units of the picture; the other side follows from the drawing
+  double tube_radius = 0.2;  ///< of what is printed, in lattice units
 };
 
 /// A drawing on paper: straight strokes and balls, to be painted in their order. Where two segments
@@ -44,7 +46,7 @@ struct Projection {
 /// @throws InputError "… holds at most …" naming the format if the drawing has more than 20,000
 /// segments: nobody could read the picture; or if the eye of a perspective would be in the drawing.
 /// Cost: O(S^2) for S segments in the worst case; near-linear if few overlap from left to right.
-Projection project(const Drawing& drawing, const PictureView& view, std::string_view format);
+Projection project(const Drawing& drawing, const ExportOptions& view, std::string_view format);
 
 /// A colour faded towards white with distance.
 Rgb faded(Rgb colour, double nearness);

@@ -19,7 +19,7 @@ class AdjacencyListParser final : public GraphParser {
   AdjacencyListParser(TextInput& input, const ReadOptions& options)
       : GraphParser(input, options),
         ids_(input, options, options.base),
-        arcs_(input, options, options.base, ArcCollector::ArcRule::one_or_both) {}
+        arcs_(input, options, options.base, true) {}
 
   std::optional<Graph> next() override {
     bool begun = false;

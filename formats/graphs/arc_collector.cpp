@@ -86,7 +86,7 @@ std::vector<Edge> ArcCollector::merged() {
         f == forward_.size() ||
         (b < backward_.size() && number_of(backward_[b]) <= number_of(forward_[f]));
     const Arc& arc = in_forward ? forward_[f] : backward_[b];
-    if (rule_ == ArcRule::both_ends && in_forward != in_backward) fail(arc, in_backward, kAlone);
+    if (!one_end_will_do_ && in_forward != in_backward) fail(arc, in_backward, kAlone);
     edges.push_back({arc.small, arc.large});
     f += in_forward ? 1 : 0;
     b += in_backward ? 1 : 0;

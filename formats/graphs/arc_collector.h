@@ -14,14 +14,14 @@ namespace ar3d {
 /// full matrices, arcs.
 class ArcCollector {
  public:
-  enum class ArcRule {
-    both_ends,    ///< (u, v) needs (v, u)
-    one_or_both,  ///< either will do
-  };
-
   /// @param base  smallest vertex id of the format, for messages.
-  ArcCollector(const TextInput& input, const ReadOptions& options, unsigned base, ArcRule rule)
-      : input_(&input), simplify_(options.simplify), base_(base), rule_(rule) {}
+  /// @param one_end_will_do  (u, v) needs no (v, u).
+  ArcCollector(const TextInput& input, const ReadOptions& options, unsigned base,
+               bool one_end_will_do = false)
+      : input_(&input),
+        simplify_(options.simplify),
+        base_(base),
+        one_end_will_do_(one_end_will_do) {}
 
   /// Starts a graph. @param announced  how many arcs the text claims to have.
   void begin(std::uint64_t announced = 0);
@@ -44,7 +44,7 @@ class ArcCollector {
   /// Ends the graph on n vertices (all ids are below n); its edges (u, v), u < v, are ordered by
   /// (u, v).
   /// @throws InputError on a neighbour named twice from the same end unless simplifies(), or
-  /// against the rule. Cost: O(n + m), and O(m log m) if the rows are not sorted; arcs that come
+  /// from one end alone if that will not do. Cost: O(n + m), and O(m log m) if the rows are not sorted; arcs that come
   /// from both ends, by the vertex that names them, are read in order only.
   Graph finish(std::uint64_t n);
 
@@ -64,7 +64,7 @@ class ArcCollector {
   const TextInput* input_;
   bool simplify_;
   unsigned base_;
-  ArcRule rule_;
+  bool one_end_will_do_;
   std::uint64_t loops_ = 0;
   Arcs forward_;   // named by the smaller end
   Arcs backward_;  // named by the larger end

@@ -15,9 +15,7 @@ namespace {
 class DimacsParser final : public GraphParser {
  public:
   DimacsParser(TextInput& input, const ReadOptions& options)
-      : GraphParser(input, options),
-        edges_(input, options, 1),
-        arcs_(input, options, 1, ArcCollector::ArcRule::both_ends) {}
+      : GraphParser(input, options), edges_(input, options, 1), arcs_(input, options, 1) {}
 
   std::optional<Graph> next() override {
     if (!read_problem()) return std::nullopt;

@@ -66,9 +66,9 @@ void append_size(std::string& out, std::uint64_t n) {
 }
 
 EdgesOnVertices decode_graph6(SixBits bits, const ReadOptions& options) {
-  EdgesOnVertices result;
-  result.n = read_size(bits, options, body_groups);
+  const std::uint64_t n = read_size(bits, options, body_groups);
   const std::uint64_t groups = bits.left();
+  std::vector<Edge> edges;
   std::uint64_t u = 0;  // the group's first entry is (u, v)
   std::uint64_t v = 1;
   for (std::uint64_t i = 0; i < groups; ++i) {
@@ -78,28 +78,27 @@ EdgesOnVertices decode_graph6(SixBits bits, const ReadOptions& options) {
       std::uint64_t row = u + skipped;
       std::uint64_t column = v;
       while (row >= column) row -= column++;
-      if (column >= result.n) bits.input().fail(bits.column() - 1, "the padding bits are not zero");
-      result.edges.push_back({static_cast<Vertex>(row), static_cast<Vertex>(column)});
+      if (column >= n) bits.input().fail(bits.column() - 1, "the padding bits are not zero");
+      edges.push_back({static_cast<Vertex>(row), static_cast<Vertex>(column)});
       group &= ~(32u >> skipped);
     }
     u += 6;
     while (u >= v) u -= v++;
   }
-  return result;
+  return {n, std::move(edges)};
 }
 
 EdgesOnVertices decode_digraph6(SixBits bits, const ReadOptions& options) {
-  EdgesOnVertices result;
   const std::uint64_t n = read_size(bits, options, [](std::uint64_t n) { return (n * n + 5) / 6; });
-  result.n = n;
+  std::vector<Edge> edges;
   for (std::uint64_t first = 0; bits.left() > 0; first += 6) {
     for (unsigned group = bits.group(); group != 0; group &= group - 1) {
       const std::uint64_t bit = first + 5 - static_cast<unsigned>(std::countr_zero(group));
       if (bit >= n * n) bits.input().fail(bits.column() - 1, "the padding bits are not zero");
-      result.edges.push_back({static_cast<Vertex>(bit / n), static_cast<Vertex>(bit % n)});
+      edges.push_back({static_cast<Vertex>(bit / n), static_cast<Vertex>(bit % n)});
     }
   }
-  return result;
+  return {n, std::move(edges)};
 }
 
 void append_graph6(std::string& out, const Graph& graph) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ar3d/formats/graphs/graph_format.h"
@@ -62,32 +63,9 @@ class SixBits {
 /// Appends N(n).
 void append_size(std::string& out, std::uint64_t n);
 
-/// Appends bits to a text, six a character.
-class SixBitWriter {
- public:
-  explicit SixBitWriter(std::string& out) : out_(&out) {}
-  void put(unsigned width, std::uint32_t value) {  // width <= 32
-    held_ = (held_ << width) | value;
-    count_ += width;
-    while (count_ >= 6) {
-      count_ -= 6;
-      out_->push_back(static_cast<char>(63 + ((held_ >> count_) & 63)));
-    }
-  }
-  /// Bits missing to a whole character.
-  unsigned missing() const { return count_ == 0 ? 0 : 6 - count_; }
-
- private:
-  std::string* out_;
-  std::uint64_t held_ = 0;  // the low count_ bits wait; count_ < 6 between calls
-  unsigned count_ = 0;
-};
-
-/// Holds what a line of text says before it is known to be a simple graph.
-struct EdgesOnVertices {
-  std::uint64_t n = 0;
-  std::vector<Edge> edges;
-};
+/// Holds what a line of text says before it is known to be a simple graph: the number of vertices,
+/// and the edges.
+using EdgesOnVertices = std::pair<std::uint64_t, std::vector<Edge>>;
 
 /// Decodes the graph6 line at `bits`: N(n), then the upper triangle of the adjacency matrix column
 /// by column. Edges come as (u, v) with u < v, ordered by (v, u).

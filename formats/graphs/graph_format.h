@@ -31,10 +31,6 @@ struct ReadOptions {
   std::uint64_t free_vertices = std::uint64_t{1} << 20;
 };
 
-struct WriteOptions {
-  unsigned base = 0;  ///< smallest vertex id in edge lists and adjacency lists, 0 or 1
-};
-
 /// Reads the graphs of one input in one format, one after the other.
 class GraphParser {
  public:
@@ -74,7 +70,8 @@ struct GraphFormat {
   /// True if the text looks like this format; asked in the catalogue's order.
   bool (*detect)(const InputHead& head) = nullptr;
   std::unique_ptr<GraphParser> (*parser)(TextInput& input, const ReadOptions& options) = nullptr;
-  GraphWriter (*writer)(OutputFile& output, const WriteOptions& options) = nullptr;
+  /// @param base  smallest vertex id in edge lists and adjacency lists, 0 or 1.
+  GraphWriter (*writer)(OutputFile& output, unsigned base) = nullptr;
   std::string tail = {};  ///< what stands after the last graph
 };
 
@@ -85,8 +82,8 @@ std::unique_ptr<GraphParser> make_parser(TextInput& input, const ReadOptions& op
 }
 /// A writer that only appends, graph by graph.
 template <void (*append)(OutputFile& output, const Graph& graph, unsigned base)>
-GraphWriter make_appending(OutputFile& output, const WriteOptions& options) {
-  return [&output, base = options.base](const Graph& graph) { append(output, graph, base); };
+GraphWriter make_appending(OutputFile& output, unsigned base) {
+  return [&output, base](const Graph& graph) { append(output, graph, base); };
 }
 
 /// Append vertices, or edges, each between the texts `around` its numbers.

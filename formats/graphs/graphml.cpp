@@ -152,7 +152,7 @@ class GraphmlParser final : public GraphParser {
   std::size_t next_ = 0;
 };
 
-GraphWriter graphml_writer(OutputFile& output, const WriteOptions&) {
+GraphWriter graphml_writer(OutputFile& output, unsigned) {
   output.append(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<graphml "
       "xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n");

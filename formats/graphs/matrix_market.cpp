@@ -23,9 +23,7 @@ bool is_banner(std::string_view line) { return boost::algorithm::istarts_with(li
 class MatrixMarketParser final : public GraphParser {
  public:
   MatrixMarketParser(TextInput& input, const ReadOptions& options)
-      : GraphParser(input, options),
-        entries_(input, options, 1),
-        arcs_(input, options, 1, ArcCollector::ArcRule::both_ends) {}
+      : GraphParser(input, options), entries_(input, options, 1), arcs_(input, options, 1) {}
 
   std::optional<Graph> next() override {
     const std::optional<bool> symmetric = read_banner();

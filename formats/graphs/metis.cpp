@@ -23,7 +23,7 @@ constexpr std::string_view kMetisMark = "% METIS graph, 1-based";
 class MetisParser final : public GraphParser {
  public:
   MetisParser(TextInput& input, const ReadOptions& options)
-      : GraphParser(input, options), arcs_(input, options, 1, ArcCollector::ArcRule::both_ends) {}
+      : GraphParser(input, options), arcs_(input, options, 1) {}
 
   std::optional<Graph> next() override {
     if (!read_header()) return std::nullopt;

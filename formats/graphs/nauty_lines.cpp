@@ -38,11 +38,11 @@ class NautyParser final : public GraphParser {
   }
 
   Graph decode(std::string_view line, std::size_t begin) {
-    EdgesOnVertices read = decode_line(line, begin);
-    if (options_.simplify) simplify(read.edges);
+    auto [n, edges] = decode_line(line, begin);
+    if (options_.simplify) simplify(edges);
     try {
-      Graph graph(read.n, std::move(read.edges));
-      previous_n_ = read.n;
+      Graph graph(n, std::move(edges));
+      previous_n_ = n;
       previous_ = graph.shared_edges();
       return graph;
     } catch (const EdgeError& error) {
@@ -83,7 +83,7 @@ void write_sparse6(OutputFile& output, const Graph& graph, unsigned) {
 }
 
 /// The first graph of each size in sparse6, the others as changes.
-GraphWriter incremental_writer(OutputFile& output, const WriteOptions&) {
+GraphWriter incremental_writer(OutputFile& output, unsigned) {
   return [&output, previous = std::optional<Graph>()](const Graph& graph) mutable {
     if (previous && previous->num_vertices() == graph.num_vertices()) {
       append_incremental_sparse6(output.pending(), *previous, graph);

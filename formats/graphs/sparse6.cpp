@@ -102,18 +102,19 @@ std::vector<std::uint64_t> sorted_numbers(std::span<const Edge> edges) {
   return numbers;
 }
 
-/// Writes the pairs of edges (u, v), u < v, given in ascending order of (v, u).
+/// Writes the pairs of edges (u, v), u < v, given in ascending order of (v, u), six bits a
+/// character.
 class PairWriter {
  public:
-  PairWriter(std::string& out, std::uint64_t n) : bits_(out), n_(n), width_(vertex_bits(n)) {}
+  PairWriter(std::string& out, std::uint64_t n) : out_(&out), n_(n), width_(vertex_bits(n)) {}
 
   void put(Vertex u, Vertex v) {
-    bits_.put(1, v == current_ ? 0 : 1);
+    put_bits(1, v == current_ ? 0 : 1);
     if (v > current_ + 1) {  // x > v: a jump; the edge follows with b = 0
-      bits_.put(width_, v);
-      bits_.put(1, 0);
+      put_bits(width_, v);
+      put_bits(1, 0);
     }
-    bits_.put(width_, u);
+    put_bits(width_, u);
     current_ = v;
   }
 
@@ -121,16 +122,27 @@ class PairWriter {
   /// a power of two and the current vertex n - 2; a zero in front turns it into a harmless move to
   /// n - 1.
   void finish() {
-    const unsigned missing = bits_.missing();
-    if (missing == 0) return;
+    if (count_ == 0) return;
+    const unsigned missing = 6 - count_;
     const bool hidden_loop =
         missing > width_ && width_ > 0 && n_ == (std::uint64_t{1} << width_) && current_ + 2 == n_;
     const std::uint32_t ones = (1u << missing) - 1;
-    bits_.put(missing, hidden_loop ? ones >> 1 : ones);
+    put_bits(missing, hidden_loop ? ones >> 1 : ones);
   }
 
  private:
-  SixBitWriter bits_;
+  void put_bits(unsigned width, std::uint32_t value) {  // width <= 32
+    held_ = (held_ << width) | value;
+    count_ += width;
+    while (count_ >= 6) {
+      count_ -= 6;
+      out_->push_back(static_cast<char>(63 + ((held_ >> count_) & 63)));
+    }
+  }
+
+  std::string* out_;
+  std::uint64_t held_ = 0;  // the low count_ bits wait; count_ < 6 between calls
+  unsigned count_ = 0;
   std::uint64_t n_;
   unsigned width_;
   std::uint64_t current_ = 0;
@@ -157,13 +169,12 @@ EdgesOnVertices decode_incremental_sparse6(SixBits bits, std::uint64_t n,
   std::vector<std::uint64_t> after;
   std::set_symmetric_difference(before.begin(), before.end(), changes.begin(), changes.end(),
                                 std::back_inserter(after));
-  EdgesOnVertices result{n, {}};
-  result.edges.reserve(after.size());
+  std::vector<Edge> edges;
+  edges.reserve(after.size());
   for (const std::uint64_t edge : after) {
-    result.edges.push_back(
-        {static_cast<Vertex>(edge & 0xffffffff), static_cast<Vertex>(edge >> 32)});
+    edges.push_back({static_cast<Vertex>(edge & 0xffffffff), static_cast<Vertex>(edge >> 32)});
   }
-  return result;
+  return {n, std::move(edges)};
 }
 
 void append_sparse6(std::string& out, const Graph& graph, const std::function<void()>& pass_on) {

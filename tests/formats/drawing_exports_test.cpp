@@ -14,6 +14,7 @@
 #include "ar3d/generators/catalog.h"
 #include "support/problem.h"
 #include "support/program.h"
+#include "verify/draft.h"
 
 namespace ar3d::testing {
 namespace {
@@ -128,13 +129,7 @@ std::string refusal_of(Write write) {
 }
 
 Drawing segment(Point a, Point b, const std::vector<Point>& bends = {}) {
-  Coordinates points(2, kMaxCoordinate);
-  points.set(0, a);
-  points.set(1, b);
-  auto stored = std::make_shared<StoredBends>();
-  stored->add_edge(bends);
-  return {"x", kCubeLattice, std::move(points),
-          std::make_shared<const std::vector<Edge>>(std::vector<Edge>{{0, 1}}), stored};
+  return Draft{{a, b}, {{{0, 1}, bends}}}.drawing();
 }
 
 TEST(Exports, RefuseWhatTheFormatCannotHold) {

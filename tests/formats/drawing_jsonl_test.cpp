@@ -2,19 +2,10 @@
 
 #include "ar3d/base/random.h"
 #include "formats/format_helpers.h"
+#include "verify/draft.h"
 
 namespace ar3d::testing {
 namespace {
-
-Drawing drawing_of(std::vector<Point> points, std::vector<Edge> edges,
-                   const std::vector<std::vector<Point>>& bends, Lattice lattice = kCubeLattice) {
-  Coordinates vertices(points.size(), kMaxCoordinate);
-  for (std::size_t v = 0; v < points.size(); ++v) vertices.set(v, points[v]);
-  auto source = std::make_shared<StoredBends>();
-  for (const auto& edge : bends) source->add_edge(edge);
-  return Drawing("test", lattice, std::move(vertices),
-                 std::make_shared<const std::vector<Edge>>(std::move(edges)), std::move(source));
-}
 
 std::string line_of(const Drawing& drawing) {
   std::string text;
@@ -33,9 +24,9 @@ std::string refusal_of_lines(const std::string& text) {
   return problem([&] { read_lines(text); }, "accepted");
 }
 
-const Drawing kEdge = drawing_of({{0, 0, 0}, {3, -3, 1}}, {{1, 0}}, {{{3, 0, 1}, {0, 0, 1}}});
+const Drawing kEdge = Draft{{{0, 0, 0}, {3, -3, 1}}, {{{1, 0}, {{3, 0, 1}, {0, 0, 1}}}}}.drawing();
 constexpr const char* kEdgeLine =
-    R"({"n":2,"algorithm":"test","gram":[[1,0,0],[0,1,0],[0,0,1]],"gram_denominator":1,)"
+    R"({"n":2,"algorithm":"draft","gram":[[1,0,0],[0,1,0],[0,0,1]],"gram_denominator":1,)"
     R"("vertices":[[0,0,0],[3,-3,1]],"edges":[[1,0,[[3,0,1],[0,0,1]]]]})"
     "\n";
 
@@ -47,10 +38,10 @@ TEST(DrawingJsonl, WritesTheContractsLine) {
 }
 
 TEST(DrawingJsonl, EmptyDrawing) {
-  const std::string line = line_of(drawing_of({}, {}, {}, kScaledZLattice));
+  const std::string line = line_of(Draft{{}, {}, kScaledZLattice}.drawing());
   EXPECT_EQ(
       line,
-      "{\"n\":0,\"algorithm\":\"test\",\"gram\":[[3,0,0],[0,3,0],[0,0,1]],\"gram_denominator\":3,"
+      "{\"n\":0,\"algorithm\":\"draft\",\"gram\":[[3,0,0],[0,3,0],[0,0,1]],\"gram_denominator\":3,"
       "\"vertices\":[],\"edges\":[]}\n");
   const auto back = read_lines(line);
   ASSERT_EQ(back.size(), 1u);
@@ -61,20 +52,18 @@ TEST(DrawingJsonl, GivesBackWhatItWrote) {
   RandomStream random(1);
   std::string text;
   for (int i = 0; i < 50; ++i) {
-    std::vector<Point> points(20);
+    Draft draft{std::vector<Point>(20), {}};
     const auto coordinate = [&] {
       const auto wide =
           static_cast<std::int64_t>(random.below64(2 * kMaxCoordinate)) - kMaxCoordinate;
       return i % 2 ? wide : wide >> 40;
     };
-    for (Point& p : points) p = {coordinate(), coordinate(), coordinate()};
-    std::vector<Edge> edges;
-    std::vector<std::vector<Point>> bends;
+    const auto point = [&] { return Point{coordinate(), coordinate(), coordinate()}; };
+    for (Point& p : draft.vertices) p = point();
     for (Vertex v = 1; v < 20; ++v) {
-      edges.push_back({v, random.below(v)});
-      bends.emplace_back(random.below(4), Point{coordinate(), coordinate(), coordinate()});
+      draft.edges.push_back({{v, random.below(v)}, std::vector(random.below(4), point())});
     }
-    append_drawing_line(text, drawing_of(points, edges, bends));
+    append_drawing_line(text, draft.drawing());
   }
   std::string again;
   for (const auto& line : read_lines(text)) append_drawing_line(again, std::get<Drawing>(line));
@@ -103,67 +92,69 @@ TEST(DrawingJsonl, ReadsErrorsBlanksAndAnyOrderOfKeys) {
   EXPECT_EQ(std::get<UndrawnGraph>(lines[0]), (UndrawnGraph{3, "no\nway"}));
 }
 
-/// The line of one edge with a part replaced.
-std::string changed(const std::string& part, const std::string& by) {
-  std::string line = kEdgeLine;
-  const std::size_t at = line.find(part);
-  EXPECT_NE(at, std::string::npos);
-  return refusal_of_lines(std::string(kEdgeLine) + line.replace(at, part.size(), by));
+/// Expects that the line of one edge with a part replaced is refused with that message.
+void expect_refused(const std::vector<std::array<std::string, 3>>& cases) {
+  for (const auto& [part, by, message] : cases) {
+    std::string line = kEdgeLine;
+    const std::size_t at = line.find(part);
+    ASSERT_NE(at, std::string::npos) << part;
+    EXPECT_EQ(refusal_of_lines(kEdgeLine + line.replace(at, part.size(), by)), "d:2:" + message);
+  }
 }
 
 TEST(DrawingJsonl, RefusesNumbersThatAreNotExact) {
-  EXPECT_EQ(changed("-3", "-3.0"),
-            "d:2: vertices[1][1]: expected an integer of 64 bits, found '-3.0'");
-  EXPECT_EQ(changed("-3", "3e2"),
-            "d:2: vertices[1][1]: expected an integer of 64 bits, found '3e2'");
-  EXPECT_EQ(changed("-3", "99999999999999999999"),
-            "d:2: vertices[1][1]: expected an integer of 64 bits, found '99999999999999999999'");
-  EXPECT_EQ(changed("-3", "9223372036854775808"),
-            "d:2: vertices[1][1]: 9223372036854775808 does not fit 64 bits with sign");
-  EXPECT_EQ(changed("-3", "2305843009213693953"),
-            "d:2: vertices[1][1]: coordinate 2305843009213693953 is out of range, the limit is "
-            "2305843009213693952");
-  EXPECT_EQ(changed("[3,0,1]", "[3,0,-9223372036854775808]"),
-            "d:2: edges[0][2][0][2]: coordinate -9223372036854775808 is out of range, the limit is "
-            "2305843009213693952");
-  EXPECT_EQ(changed("[[1,0,0]", "[[4294967296,0,0]"),
-            "d:2: gram[0][3]: 4294967296 is not in -2147483647..2147483647");
+  expect_refused(
+      {{"-3", "-3.0", " vertices[1][1]: expected an integer of 64 bits, found '-3.0'"},
+       {"-3", "3e2", " vertices[1][1]: expected an integer of 64 bits, found '3e2'"},
+       {"-3", "99999999999999999999",
+        " vertices[1][1]: expected an integer of 64 bits, found '99999999999999999999'"},
+       {"-3", "9223372036854775808",
+        " vertices[1][1]: 9223372036854775808 does not fit 64 bits with sign"},
+       {"-3", "2305843009213693953",
+        " vertices[1][1]: coordinate 2305843009213693953 is out of range, the limit is "
+        "2305843009213693952"},
+       {"[3,0,1]", "[3,0,-9223372036854775808]",
+        " edges[0][2][0][2]: coordinate -9223372036854775808 is out of range, the limit is "
+        "2305843009213693952"},
+       {"[[1,0,0]", "[[4294967296,0,0]",
+        " gram[0][3]: 4294967296 is not in -2147483647..2147483647"}});
 }
 
 TEST(DrawingJsonl, RefusesWrongShapes) {
-  EXPECT_EQ(changed("[3,-3,1]", "[3,-3]"), "d:2: vertices[1]: 2 numbers instead of 3");
-  EXPECT_EQ(changed("[3,-3,1]", "[3,-3,1,4]"), "d:2: vertices[1][3]: unexpected fourth number 4");
-  EXPECT_EQ(changed("[3,-3,1]", "7"), "d:2: vertices[1]: unexpected number 7");
-  EXPECT_EQ(changed("[3,-3,1]", "null"), "d:2: vertices[1]: unexpected null");
-  EXPECT_EQ(changed("[3,-3,1]", "{}"), "d:2: vertices[1]: unexpected object");
-  EXPECT_EQ(changed("[3,-3,1]", "[3,[1],1]"), "d:2: vertices[1][1]: unexpected array");
-  EXPECT_EQ(changed(",[[3,0,1],[0,0,1]]", ""), "d:2: edges[0]: an edge is [u, v, [bends]]");
-  EXPECT_EQ(changed("[1,0,[[", "[1,[["), "d:2: edges[0][1]: unexpected array");
-  EXPECT_EQ(changed("[1,0,[[", "[1,0,5,[["), "d:2: edges[0][2]: unexpected number 5");
-  EXPECT_EQ(changed("[3,0,1],", "[3,0],"), "d:2: edges[0][2][0]: 2 numbers instead of 3");
-  EXPECT_EQ(changed("\"test\"", "true"), "d:2: algorithm: unexpected true");
-  EXPECT_EQ(changed("\"gram\":[", "\"gram\":[[1,1,1],"), "d:2: gram[3]: unexpected fourth row");
-  EXPECT_EQ(changed("[1,0,0],", ""), "d:2: gram: 2 rows instead of 3");
-  EXPECT_EQ(changed("[[3,0,1],[0,0,1]]", ""),
-            "d:2:125: syntax error while parsing value - unexpected ']'; expected '[', '{', or a "
-            "literal");
+  expect_refused(
+      {{"[3,-3,1]", "[3,-3]", " vertices[1]: 2 numbers instead of 3"},
+       {"[3,-3,1]", "[3,-3,1,4]", " vertices[1][3]: unexpected fourth number 4"},
+       {"[3,-3,1]", "7", " vertices[1]: unexpected number 7"},
+       {"[3,-3,1]", "null", " vertices[1]: unexpected null"},
+       {"[3,-3,1]", "{}", " vertices[1]: unexpected object"},
+       {"[3,-3,1]", "[3,[1],1]", " vertices[1][1]: unexpected array"},
+       {",[[3,0,1],[0,0,1]]", "", " edges[0]: an edge is [u, v, [bends]]"},
+       {"[1,0,[[", "[1,[[", " edges[0][1]: unexpected array"},
+       {"[1,0,[[", "[1,0,5,[[", " edges[0][2]: unexpected number 5"},
+       {"[3,0,1],", "[3,0],", " edges[0][2][0]: 2 numbers instead of 3"},
+       {"\"draft\"", "true", " algorithm: unexpected true"},
+       {"\"gram\":[", "\"gram\":[[1,1,1],", " gram[3]: unexpected fourth row"},
+       {"[1,0,0],", "", " gram: 2 rows instead of 3"},
+       {"[[3,0,1],[0,0,1]]", "",
+        "126: syntax error while parsing value - unexpected ']'; expected '[', '{', or a "
+        "literal"}});
 }
 
 TEST(DrawingJsonl, RefusesWhatDoesNotFitTogether) {
-  EXPECT_EQ(changed("\"n\":2", "\"n\":3"), "d:2: n is 3, but there are 2 vertices");
-  EXPECT_EQ(changed("\"n\":2", "\"n\":-2"), "d:2: n: -2 is no number of vertices");
-  EXPECT_EQ(changed("[1,0,[[", "[1,2,[["),
-            "d:2: edge 0 (1, 2) of the drawing: vertex out of range, it has 2 vertices");
-  EXPECT_EQ(changed("[1,0,0]", "[1,2,0]"), "d:2: the Gram matrix is not symmetric");
-  EXPECT_EQ(changed("[1,0,0]", "[-1,0,0]"), "d:2: the Gram matrix is not positive definite");
-  EXPECT_EQ(changed("\"gram_denominator\":1", "\"gram_denominator\":0"),
-            "d:2: gram_denominator: 0 is not in 1..2147483647");
-  EXPECT_EQ(changed("\"n\":2,", ""), "d:2: key 'n' is missing");
-  EXPECT_EQ(changed("\"gram_denominator\":1,", ""), "d:2: key 'gram_denominator' is missing");
-  EXPECT_EQ(changed("\"n\":2,", "\"n\":2,\"n\":2,"), "d:2: key 'n' stands twice");
-  EXPECT_EQ(changed("\"n\":2,", "\"n\":2,\"m\":1,"), "d:2: unknown key 'm'");
-  EXPECT_EQ(changed("\"n\":2,", "\"n\":2,\"error\":\"x\","),
-            "d:2: a line with 'error' has no other key than 'n'");
+  expect_refused(
+      {{"\"n\":2", "\"n\":3", " n is 3, but there are 2 vertices"},
+       {"\"n\":2", "\"n\":-2", " n: -2 is no number of vertices"},
+       {"[1,0,[[", "[1,2,[[",
+        " edge 0 (1, 2) of the drawing: vertex out of range, it has 2 vertices"},
+       {"[1,0,0]", "[1,2,0]", " the Gram matrix is not symmetric"},
+       {"[1,0,0]", "[-1,0,0]", " the Gram matrix is not positive definite"},
+       {"\"gram_denominator\":1", "\"gram_denominator\":0",
+        " gram_denominator: 0 is not in 1..2147483647"},
+       {"\"n\":2,", "", " key 'n' is missing"},
+       {"\"gram_denominator\":1,", "", " key 'gram_denominator' is missing"},
+       {"\"n\":2,", "\"n\":2,\"n\":2,", " key 'n' stands twice"},
+       {"\"n\":2,", "\"n\":2,\"m\":1,", " unknown key 'm'"},
+       {"\"n\":2,", "\"n\":2,\"error\":\"x\",", " a line with 'error' has no other key than 'n'"}});
 }
 
 TEST(DrawingJsonl, RefusesWhatIsNotJson) {

@@ -1,22 +1,18 @@
 #include "ar3d/formats/drawings/drawing_svg.h"
 
-#include <array>
 #include <cmath>
 
 #include "ar3d/base/error.h"
 #include "support/test.h"
+#include "verify/draft.h"
 
 namespace ar3d::testing {
 namespace {
 
 /// K2 with one bend on the lattice.
 Drawing one_edge(std::size_t bends_per_edge, Lattice lattice = kCubeLattice) {
-  Coordinates vertices(2, 100);
-  vertices.set(1, {2, 0, 0});
-  auto bends = std::make_shared<StoredBends>();
-  bends->add_edge(std::vector<Point>(bends_per_edge, Point{1, 1, 1}));
-  return Drawing("test", lattice, std::move(vertices),
-                 std::make_shared<std::vector<Edge>>(1, Edge{0, 1}), std::move(bends));
+  const std::vector<Point> bends(bends_per_edge, Point{1, 1, 1});
+  return Draft{{{}, {2, 0, 0}}, {{{0, 1}, bends}}, lattice}.drawing();
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -38,7 +34,7 @@ TEST(DrawingSvg, OneBallAVertexAndOneTubeASegment) {
 TEST(DrawingSvg, TallLatticeIsShrunkInZ) {
   // Seen from the side, the apex (1, 1, 1) stands lower in the tall lattice, where z counts
   // 1/sqrt(3).
-  const PictureView side{.turn_degrees = 0, .tilt_degrees = 90};
+  const ExportOptions side{.turn_degrees = 0, .tilt_degrees = 90};
   EXPECT_NE(drawing_to_svg(one_edge(1), side), drawing_to_svg(one_edge(1, kScaledZLattice), side));
 }
 
@@ -48,20 +44,13 @@ TEST(DrawingSvg, RefusesWhatNobodyCanRead) {
 
 /// Two edges that cross on the picture, at different heights, seen from above.
 Drawing two_edges() {
-  Coordinates vertices(4, 100);
-  const std::array<Point, 4> places = {{{0, 0, 0}, {20, 20, 0}, {0, 20, 9}, {20, 0, 9}}};
-  for (std::size_t v = 0; v < 4; ++v) vertices.set(v, places[v]);
-  auto bends = std::make_shared<StoredBends>();
-  bends->add_edge({});
-  bends->add_edge({});
-  return Drawing("test", kCubeLattice, std::move(vertices),
-                 std::make_shared<std::vector<Edge>>(std::vector<Edge>{{0, 1}, {2, 3}}),
-                 std::move(bends));
+  return Draft{{{0, 0, 0}, {20, 20, 0}, {0, 20, 9}, {20, 0, 9}}, {{{0, 1}, {}}, {{2, 3}, {}}}}
+      .drawing();
 }
 
 TEST(Projection, TheFartherEdgeHasAGapWhereTwoCross) {
   for (const double perspective : {0.0, 3.0}) {
-    const PictureView above{.turn_degrees = 0, .tilt_degrees = 0, .perspective = perspective};
+    const ExportOptions above{.turn_degrees = 0, .tilt_degrees = 0, .perspective = perspective};
     const Projection picture = project(two_edges(), above, "svg");
     const Projection::Place centre = {picture.width / 2, picture.height / 2};
     double nearest_free = 1e9;  // end of a stroke of the lower edge next to the crossing
@@ -86,7 +75,7 @@ TEST(Projection, TheFartherEdgeHasAGapWhereTwoCross) {
 }
 
 TEST(Projection, WhatIsNearerIsPaintedLater) {
-  const PictureView above{.turn_degrees = 0, .tilt_degrees = 0, .perspective = 2};
+  const ExportOptions above{.turn_degrees = 0, .tilt_degrees = 0, .perspective = 2};
   const Projection picture = project(two_edges(), above, "svg");
   for (std::size_t i = 1; i < picture.items.size(); ++i) {
     EXPECT_LE(picture.items[i - 1].depth, picture.items[i].depth);
@@ -95,8 +84,8 @@ TEST(Projection, WhatIsNearerIsPaintedLater) {
 }
 
 TEST(Projection, StretchesTheBoxToACube) {
-  const PictureView side{.turn_degrees = 0, .tilt_degrees = 90};
-  PictureView stretched = side;
+  const ExportOptions side{.turn_degrees = 0, .tilt_degrees = 90};
+  ExportOptions stretched = side;
   stretched.stretch = true;
   EXPECT_LT(project(two_edges(), side, "svg").height, 480) << "9 of 20 high";
   EXPECT_NEAR(project(two_edges(), stretched, "svg").height, 900, 1);

@@ -29,10 +29,16 @@ inline std::string refusal(const std::string& text, const ReadOptions& options =
   return problem([&] { read_text(text, options); }, "accepted");
 }
 
+/// Expects that each text is refused with that message.
+inline void expect_refusals(const std::vector<std::pair<std::string, std::string>>& cases,
+                            const ReadOptions& options = {}) {
+  for (const auto& [text, message] : cases) EXPECT_EQ(refusal(text, options), message) << text;
+}
+
 inline std::string written(const std::vector<Graph>& graphs, const GraphFormat& format,
-                           const WriteOptions& options = {}) {
+                           unsigned base = 0) {
   const ScratchDirectory folder = ScratchDirectory::in_memory();
-  write_graphs(graphs, format, folder.path("graph"), options);
+  write_graphs(graphs, format, folder.path("graph"), base);
   return read_file(folder.path("graph"));
 }
 

@@ -78,7 +78,7 @@ TEST_P(RoundTrip, PackedAndInSeveralMembers) {
 
 TEST_P(RoundTrip, OneBased) {
   const Graph graph = disjoint_union({cycle(3), Graph(2, {})});
-  const std::string text = written({graph}, format(), {.base = 1});
+  const std::string text = written({graph}, format(), 1);
   const std::vector<Graph> back = read_text(text, {.base = 1});
   ASSERT_EQ(back.size(), 1u);
   EXPECT_EQ(edge_set(back[0]), edge_set(graph));

@@ -12,6 +12,7 @@
 #include "ar3d/generators/catalog.h"
 #include "support/problem.h"
 #include "support/program.h"
+#include "verify/draft.h"
 
 namespace ar3d::testing {
 namespace {
@@ -123,18 +124,12 @@ TEST(ViewerPage, HoldsTheDrawingExactly) {
   }
 }
 
-Drawing segment(std::string algorithm, Point a, Point b) {
-  Coordinates points(2, kMaxCoordinate);
-  points.set(0, a);
-  points.set(1, b);
-  auto bends = std::make_shared<StoredBends>();
-  bends->add_edge({});
-  return {std::move(algorithm), kCubeLattice, std::move(points),
-          std::make_shared<const std::vector<Edge>>(std::vector<Edge>{{0, 1}}), bends};
+Drawing segment(Point a, Point b, const std::string& algorithm = "x") {
+  return Draft{{a, b}, {{{0, 1}, {}}}, kCubeLattice, algorithm}.drawing();
 }
 
 TEST(ViewerPage, HoldsCoordinatesFarFromTheOrigin) {
-  const Drawing far = segment("x", {kMaxCoordinate, -kMaxCoordinate, 0},
+  const Drawing far = segment({kMaxCoordinate, -kMaxCoordinate, 0},
                               {kMaxCoordinate - kMaxPageExtent, -kMaxCoordinate, 5});
   const std::string page = page_with(far, "t");
   expect_same(page, far);
@@ -144,7 +139,7 @@ TEST(ViewerPage, HoldsCoordinatesFarFromTheOrigin) {
 
 TEST(ViewerPage, RefusesWhatItCannotShowExactly) {
   EXPECT_EQ(problem([&] {
-              page_with(segment("x", {0, 0, 0}, {0, kMaxPageExtent + 1, 0}), "f:3");
+              page_with(segment({0, 0, 0}, {0, kMaxPageExtent + 1, 0}), "f:3");
             }),
             "f:3: an extent of 4503599627370497, html holds at most 4503599627370496 (2^52)");
 }
@@ -163,7 +158,7 @@ TEST(ViewerPage, PackedTextUnpacksToItself) {
 
 TEST(ViewerPage, IsNotEndedByNames) {
   const std::string hostile = "</script><script>alert(1)</script><!--";
-  const std::string page = page_with(segment(hostile, {}, {1, 0, 0}), hostile);
+  const std::string page = page_with(segment({}, {1, 0, 0}, hostile), hostile);
   EXPECT_EQ(page.find("alert(1)</script>"), std::string::npos);
   const auto about = nlohmann::json::parse(between(page, "id=\"about-0\">", "</script>"));
   EXPECT_EQ(about["algorithm"], hostile);
@@ -198,7 +193,7 @@ TEST(EdgeRoles, EveryEdgeOfADrawingHasOne) {
 TEST(GrowthOrder, TellsTheVerticesApart) {
   for (const char* algorithm : {"diamond", "grid", "two-bend", "two-bend-109"}) {
     const Drawing drawing = drawing_of(algorithm, "random-cubic", 300);
-    const auto weights = growth_order(drawing).weights;
+    const auto weights = growth_order(drawing).second;
     std::vector<std::int64_t> keys;
     for (std::size_t v = 0; v < 300; ++v) {
       const Point p = drawing.vertex(static_cast<Vertex>(v));

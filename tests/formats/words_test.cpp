@@ -35,7 +35,7 @@ TEST(Gml, ReadsNodesInTheirOrderWithLabels) {
 }
 
 TEST(Gml, IsRefusedWithItsPlace) {
-  const std::pair<const char*, const char*> cases[] = {
+  expect_refusals({
       {"graph [ directed 1 ]",
        "f:1:9: only undirected graphs are read (--undirected drops directions), not 'directed'"},
       {"graph [\n node [ id 1 ] node [ id 1 ] ]", "f:2:16: id '1' stands twice: the second 'node'"},
@@ -52,8 +52,7 @@ TEST(Gml, IsRefusedWithItsPlace) {
       {"graph [ label \"x", "f:1:15: a string without end"},
       {"graph [ ] ]", "f:1:11: expected a key ']'"},
       {"graph [ a", "f:1:9: expected a value behind 'a'"},
-  };
-  for (const auto& [text, message] : cases) EXPECT_EQ(refusal(text), message) << text;
+  });
   EXPECT_EQ(refusal("x " + std::string(300000, '['), {.format = "gml"}),
             "f:1:300003: a [ is never closed")
       << "nesting costs no stack";
@@ -68,29 +67,28 @@ TEST(Dot, ReadsChainsSubgraphsPortsAndAttributes) {
 }
 
 TEST(Dot, IsRefusedWithItsPlace) {
-  const std::pair<const char*, const char*> cases[] = {
-      {"digraph { a -> b }",
-       "f:1:1: only undirected graphs are read (--undirected drops directions), not 'digraph'"},
-      {"graph { a -> b }", "f:1:11: only undirected edges are read, not '->'"},
-      {"graph { a -- a }", "f:1:11: edge ('a', 'a') is a loop"},
-      {"strict graph { a -- a }", "f:1:18: edge ('a', 'a') is a loop"},
-      {"graph {\na -- b\nb -- a }", "f:3:3: edge ('b', 'a') is parallel to an earlier edge"},
-      {"graph { a -- }", "f:1:14: expected a vertex, found '}'"},
-      {"graph { a", "f:1:10: expected a vertex, found ''"},
-      {"graph { a [x=", "f:1:14: expected a value, found ''"},
-      {"graph { a [", "f:1:12: expected an attribute, found ''"},
-      {"graph { node a }", "f:1:14: expected [, found 'a'"},
-      {"graph { /* a", "f:1:9: a comment without end"},
-      {"graph { \"a", "f:1:9: a string without end"},
-      {"graph { <a", "f:1:9: a < without its >"},
-      {"graph { a:[ }", "f:1:11: expected a port, found '['"},
-      {"graph { subgraph x }", "f:1:20: expected a vertex, found '}'"},
-      {"graph g h { }", "f:1:9: expected { behind graph, found 'h'"},
-      {"graph { } x", "f:1:11: expected graph, found 'x'"},
-  };
-  for (const auto& [text, message] : cases) {
-    EXPECT_EQ(refusal(text, {.format = "dot"}), message) << text;
-  }
+  expect_refusals(
+      {
+          {"digraph { a -> b }",
+           "f:1:1: only undirected graphs are read (--undirected drops directions), not 'digraph'"},
+          {"graph { a -> b }", "f:1:11: only undirected edges are read, not '->'"},
+          {"graph { a -- a }", "f:1:11: edge ('a', 'a') is a loop"},
+          {"strict graph { a -- a }", "f:1:18: edge ('a', 'a') is a loop"},
+          {"graph {\na -- b\nb -- a }", "f:3:3: edge ('b', 'a') is parallel to an earlier edge"},
+          {"graph { a -- }", "f:1:14: expected a vertex, found '}'"},
+          {"graph { a", "f:1:10: expected a vertex, found ''"},
+          {"graph { a [x=", "f:1:14: expected a value, found ''"},
+          {"graph { a [", "f:1:12: expected an attribute, found ''"},
+          {"graph { node a }", "f:1:14: expected [, found 'a'"},
+          {"graph { /* a", "f:1:9: a comment without end"},
+          {"graph { \"a", "f:1:9: a string without end"},
+          {"graph { <a", "f:1:9: a < without its >"},
+          {"graph { a:[ }", "f:1:11: expected a port, found '['"},
+          {"graph { subgraph x }", "f:1:20: expected a vertex, found '}'"},
+          {"graph g h { }", "f:1:9: expected { behind graph, found 'h'"},
+          {"graph { } x", "f:1:11: expected graph, found 'x'"},
+      },
+      {.format = "dot"});
   EXPECT_THAT(refusal("graph " + std::string(300000, '{')), HasSubstr("more than 200 subgraphs"));
   std::string many = "graph { {";
   for (int v = 0; v < 3000; ++v) many += fmt::format("{} ", v);
@@ -114,16 +112,15 @@ TEST(ListsOfNames, GiveTheirVerticesNames) {
   }
   EXPECT_THAT(refusal(text), HasSubstr("expected a vertex id, found 'alice'"))
       << "only where somebody says that it is an edge list";
-  const std::pair<const char*, const char*> cases[] = {
-      {"a b\nc\n", "f:2:1: expected a second name, the other end of the edge"},
-      {"a b\nc c\n", "f:2: edge ('c', 'c') is a loop"},
-      {"a b\nb a\n", "f:2: edge ('b', 'a') is parallel to an earlier edge"},
-      {"a b c\n", "f:1:5: unexpected 'c' after the edge"},
-      {"0 1\n1 b\n", "f:2:3: expected a vertex id, found 'b'"},
-  };
-  for (const auto& [broken, message] : cases) {
-    EXPECT_EQ(refusal(broken, {.format = "edgelist"}), message) << broken;
-  }
+  expect_refusals(
+      {
+          {"a b\nc\n", "f:2:1: expected a second name, the other end of the edge"},
+          {"a b\nc c\n", "f:2: edge ('c', 'c') is a loop"},
+          {"a b\nb a\n", "f:2: edge ('b', 'a') is parallel to an earlier edge"},
+          {"a b c\n", "f:1:5: unexpected 'c' after the edge"},
+          {"0 1\n1 b\n", "f:2:3: expected a vertex id, found 'b'"},
+      },
+      {.format = "edgelist"});
 }
 
 TEST(NetworkxAdjacencyLists, AreKnownByTheirHead) {
@@ -140,13 +137,19 @@ TEST(EdgeLists, ALonePairOfZerosIsALoop) {
 }
 
 TEST(Marks, AreReadInEveryFormatOfText) {
-  for (const char* text : {"0 1\n1 2\n", "graph { 0 -- 1 -- 2 }\n", "Bg\n", ":Bc\n"}) {
+  for (const char* text :
+       {"0 1\n1 2\n", "graph { 0 -- 1 -- 2 }\n", "Bg\n", ":Bc\n",
+        "<graphml><graph edgedefault=\"undirected\"><node id=\"a\"/></graph></graphml>\n"}) {
     const Graph plain = read_text(text).at(0);
     EXPECT_EQ(edge_set(read_text("\xef\xbb\xbf" + std::string(text)).at(0)), edge_set(plain));
-    std::string wide = "\xff\xfe";
-    for (const char* c = text; *c != 0; ++c) wide += {*c, '\0'};
-    EXPECT_EQ(edge_set(read_text(wide).at(0)), edge_set(plain)) << text;
-    EXPECT_EQ(refusal(wide + "x"), "f: the text is no UTF-16, as its first bytes say");
+    for (const bool is_little : {true, false}) {
+      std::string wide = is_little ? "\xff\xfe" : "\xfe\xff";
+      for (const char* c = text; *c != 0; ++c) {
+        wide += is_little ? std::string{*c, '\0'} : std::string{'\0', *c};
+      }
+      EXPECT_EQ(edge_set(read_text(wide).at(0)), edge_set(plain)) << text << is_little;
+      EXPECT_EQ(refusal(wide + "x"), "f: the text is no UTF-16, as its first bytes say");
+    }
   }
   EXPECT_EQ(refusal("\xef\xbb\xbf"), "f: empty file: no graph in it");
 }

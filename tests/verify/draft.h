@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Draft {
   std::vector<Point> vertices;
   std::vector<DraftEdge> edges;
   Lattice lattice = kCubeLattice;
+  std::string algorithm = "draft";
 
   Drawing drawing() const {
     Coordinates places(vertices.size(), kMaxCoordinate);
@@ -29,7 +31,7 @@ struct Draft {
       ends->push_back(edge.ends);
       bends->add_edge(edge.bends);
     }
-    return Drawing("draft", lattice, std::move(places), std::move(ends), std::move(bends));
+    return Drawing(algorithm, lattice, std::move(places), std::move(ends), std::move(bends));
   }
   /// The graph that the draft draws, which must be simple.
   Graph graph() const {
