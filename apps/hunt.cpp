@@ -164,15 +164,10 @@ Subject subject_of(const HuntArguments& arguments) {
   subject.choice = algorithm_choice(spec, arguments.algorithm, parse_settings(arguments.settings));
   if (subject.choice.program) subject.drawer = std::make_shared<ExternalDrawer>();
   if (!arguments.seeded_fault.empty()) subject.fault = &find_seeded_fault(arguments.seeded_fault);
-  return subject;
-}
-
-RatioRule rule_of(const HuntArguments& arguments) {
-  RatioRule rule;
   const auto at = std::ranges::find(kMeasures, arguments.measure);
-  rule.measure = static_cast<BoundShare>(at - std::begin(kMeasures));
-  if (arguments.against == "instance") rule.against = Against::instance;
-  return rule;
+  subject.measure = static_cast<BoundShare>(at - std::begin(kMeasures));
+  subject.against_instance = arguments.against == "instance";
+  return subject;
 }
 
 nlohmann::ordered_json trial_json(const Trial& trial, const HuntArguments& arguments) {
@@ -239,8 +234,8 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
       std::string line;
       append_sparse6(line, *of_row);
       line.pop_back();
-      files[0].held = std::make_shared<const HeldFile>(
-          HeldFile{{.name = {}, .file = {}, .group = {}, .hash = {}, .graphs = 1}, {{0, line}}});
+      files[0].held = CollectedFile{.name = {}, .file = {}, .group = {}, .hash = {}, .graphs = 1};
+      files[0].lines = {{0, line}};
     }
     const auto graphs =
         named_corpus(files.size() == 1 ? files[0].path : fmt::format("{} files", files.size()),
@@ -259,11 +254,10 @@ int hunt_and_show(HuntArguments arguments) {
   sort_settings(arguments);
   const Subject subject = subject_of(arguments);
   arguments.hunting.families = chosen_families(arguments, *subject.choice.algorithm, of_row);
-  const HuntResult result =
-      hunt(subject, rule_of(arguments), arguments.hunting, [](const HuntResult& so_far) {
-        note(stderr, "{:>8} graphs: {:.4f} from {}\n", so_far.evaluations, so_far.best.ratio,
-             so_far.start.family->name);
-      });
+  const HuntResult result = hunt(subject, arguments.hunting, [](const HuntResult& so_far) {
+    note(stderr, "{:>8} graphs: {:.4f} from {}\n", so_far.evaluations, so_far.best.ratio,
+         so_far.start.family->name);
+  });
   const std::string which =
       !arguments.row.empty() ? "row " + arguments.row
       : result.start.corpus && arguments.inputs.size() > 1
@@ -291,8 +285,7 @@ int shrink_and_show(HuntArguments arguments) {
                           ? read_graph(arguments.inputs[0], arguments.reading.read_options())
                           : graph_of_row(arguments);
   const Subject subject = subject_of(arguments);
-  const RatioRule rule = rule_of(arguments);
-  const Trial whole = try_graph(subject, rule, graph);
+  const Trial whole = try_graph(subject, graph);
   const bool keeps_failure = !arguments.ratio;
   if (keeps_failure && whole.failure.empty()) {
     throw InputError(fmt::format("{}: its drawing is proved right; give --ratio to shrink it",
@@ -305,11 +298,11 @@ int shrink_and_show(HuntArguments arguments) {
   const ShrinkResult result = shrink(
       graph,
       [&](const Graph& candidate) {
-        const Trial trial = try_graph(subject, rule, candidate);
+        const Trial trial = try_graph(subject, candidate);
         return keeps_failure ? trial.failure == whole.failure : trial.ratio >= *arguments.ratio;
       },
       arguments.most_drawings);
-  const Trial least = try_graph(subject, rule, result.graph);
+  const Trial least = try_graph(subject, result.graph);
   nlohmann::ordered_json json = trial_json(least, arguments);
   json.update({{"evaluations", result.evaluations}, {"minimal", result.minimal}});
   tell(json, "{} of {} vertices and {} of {} edges are left after {} drawings{}\n{}",

@@ -8,10 +8,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <boost/scope_exit.hpp>
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <vector>
 
@@ -22,10 +24,10 @@
 
 namespace ar3d {
 std::int64_t commits_up_to(const std::string& commit) {
-  const GitAnswer count = ask_git({"rev-list", "--count", commit, "--"});
+  const std::vector<std::string> count = ask_git({"rev-list", "--count", commit, "--"});
   std::int64_t number = -1;
-  if (count.exit_code != 0 || count.lines.empty()) return -1;
-  const std::string& text = count.lines.front();
+  if (count.empty()) return -1;
+  const std::string& text = count.front();
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc() && end == text.data() + text.size() ? number : -1;
 }
@@ -36,16 +38,11 @@ namespace fs = std::filesystem;
 
 /// The 40 digits of a commit. @throws InputError naming the ref if there is no such commit.
 std::string commit_of(const std::string& checkout, const std::string& ref) {
-  const GitAnswer commit = ask_git(
+  const std::vector<std::string> commit = ask_git(
       {"-C", checkout, "rev-parse", "--verify", "--quiet", "--end-of-options", ref + "^{commit}"});
-  if (commit.exit_code != 0 || commit.lines.empty()) {
-    throw InputError(fmt::format("no commit '{}' in {}", ref, checkout));
-  }
-  return commit.lines.front();
+  if (commit.empty()) throw InputError(fmt::format("no commit '{}' in {}", ref, checkout));
+  return commit.front();
 }
-
-/// Thrown where a signal asked to stop.
-struct BuildStopped {};
 
 /// "[57/140] Building …" of ninja's last line, as "57 of 140"; empty if there is none.
 std::string steps_done(const fs::path& log) {
@@ -59,38 +56,27 @@ std::string steps_done(const fs::path& log) {
   return steps;
 }
 
-/// Runs the steps of one build, all with one log.
-class Build {
- public:
-  Build(std::string ref, fs::path log, std::FILE* progress)
-      : ref_(std::move(ref)), log_(std::move(log)), progress_(progress) {}
-
-  /// @throws BuildStopped, and InputError naming the log if it fails.
-  void run(const std::vector<std::string>& words) {
-    std::string last;
-    int seconds = 0;
-    const auto tell = [&] {
-      if (progress_ == nullptr || ++seconds % kSecondsBetweenLines != 0) return;
-      const std::string steps = steps_done(log_);
-      if (steps.empty() || steps == last) return;
-      say(progress_, "building {}: step {}\n", ref_, steps);
-      last = steps;
-    };
-    const int code = run_child(
-        words, {.output = log_.string(), .ends_when_interrupted = true, .every_second = tell});
-    if (is_interrupted()) throw BuildStopped();
-    if (code == 0) return;
-    throw InputError(fmt::format("cannot build {}: {} ended with code {}, see {}", ref_, words[0],
-                                 code, log_.string()));
-  }
-
- private:
-  static constexpr int kSecondsBetweenLines = 5;
-
-  std::string ref_;
-  fs::path log_;
-  std::FILE* progress_;
-};
+/// Runs a step of a build. @return false if a signal asked to stop. @throws InputError naming the log
+/// if it fails.
+bool run_step(const std::vector<std::string>& words, const std::string& ref, const fs::path& log,
+              std::FILE* progress) {
+  constexpr int kSecondsBetweenLines = 5;
+  std::string last;
+  int seconds = 0;
+  const auto tell = [&] {
+    if (progress == nullptr || ++seconds % kSecondsBetweenLines != 0) return;
+    const std::string steps = steps_done(log);
+    if (steps.empty() || steps == last) return;
+    say(progress, "building {}: step {}\n", ref, steps);
+    last = steps;
+  };
+  const int code = run_child(
+      words, {.output = log.string(), .ends_when_interrupted = true, .every_second = tell});
+  if (is_interrupted()) return false;
+  if (code == 0) return true;
+  throw InputError(fmt::format("cannot build {}: {} ended with code {}, see {}", ref, words[0],
+                               code, log.string()));
+}
 
 constexpr std::string_view kSources = ".sources-";
 
@@ -100,38 +86,16 @@ Descriptor locked_folder(const fs::path& folder) {
   return flock(locked.get(), LOCK_EX | LOCK_NB) == 0 ? std::move(locked) : Descriptor();
 }
 
-/// A folder for a git worktree of the commit. It goes with this object; one that a killed program
-/// has left goes with the next.
-class Worktree {
- public:
-  Worktree(const std::string& checkout, fs::path folder)
-      : checkout_(checkout), folder_(std::move(folder)) {
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(folder_.parent_path(), ignored)) {
-      const bool is_sources = entry.path().filename().string().find(kSources) != std::string::npos;
-      if (is_sources && locked_folder(entry.path()).get() >= 0) {
-        ask_git({"-C", checkout_, "worktree", "unlock", entry.path().string()});  // half made
-        fs::remove_all(entry.path(), ignored);
-      }
-    }
-    fs::create_directories(folder_);
-    lock_ = locked_folder(folder_);
+/// Removes the worktrees that killed programs have left in a folder.
+void remove_worktrees(const std::string& checkout, const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const bool is_sources = entry.path().filename().string().find(kSources) != std::string::npos;
+    if (!is_sources || locked_folder(entry.path()).get() < 0) continue;
+    ask_git({"-C", checkout, "worktree", "unlock", entry.path().string()});  // half made
+    fs::remove_all(entry.path(), ignored);
   }
-  Worktree(const Worktree&) = delete;
-  Worktree& operator=(const Worktree&) = delete;
-  ~Worktree() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-    ask_git({"-C", checkout_, "worktree", "prune"});
-  }
-
-  const fs::path& folder() const { return folder_; }
-
- private:
-  std::string checkout_;
-  fs::path folder_;
-  Descriptor lock_;
-};
+}
 
 /// Copies a program: the copy is on the disk whole under its name, or not at all.
 void copy_program(const fs::path& from, const fs::path& to) {
@@ -146,28 +110,39 @@ void copy_program(const fs::path& from, const fs::path& to) {
 }
 
 /// Builds the commit and puts its program in place, whole or not at all.
-void build_program(const std::string& checkout, const std::string& commit, Build& build,
-                   const fs::path& program) {
+/// @param run  runs a step; false: it was interrupted. @return the same.
+bool build_program(const std::string& checkout, const std::string& commit, const fs::path& program,
+                   const std::function<bool(const std::vector<std::string>&)>& run) {
   const fs::path folder = program.parent_path();
-  const Worktree worktree(checkout, fmt::format("{}{}{}", folder.string(), kSources, getpid()));
-  const std::string sources = worktree.folder().string(), tree = sources + "/build/compare";
-  build.run({"git", "-C", checkout, "worktree", "add", "--detach", sources, commit});
-  build.run({"cmake", "-S", sources, "-B", tree, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-             "-DAR3D_TESTS=OFF", "-DAR3D_BENCHMARKS=OFF"});
-  build.run({"ninja", "-C", tree, "ar3d_program"});
+  const std::string sources = fmt::format("{}{}{}", folder.string(), kSources, getpid());
+  const std::string tree = sources + "/build/compare";
+  remove_worktrees(checkout, folder.parent_path());
+  fs::create_directories(sources);
+  const Descriptor lock = locked_folder(sources);
+  BOOST_SCOPE_EXIT_ALL(&) {
+    std::error_code ignored;
+    fs::remove_all(sources, ignored);
+    ask_git({"-C", checkout, "worktree", "prune"});
+  };
+  const bool is_built =
+      run({"git", "-C", checkout, "worktree", "add", "--detach", sources, commit}) &&
+      run({"cmake", "-S", sources, "-B", tree, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+           "-DAR3D_TESTS=OFF", "-DAR3D_BENCHMARKS=OFF"}) &&
+      run({"ninja", "-C", tree, "ar3d_program"});
+  if (!is_built) return false;
   fs::create_directories(folder);
   copy_program(fs::path(tree) / "apps" / "ar3d", program);
+  return true;
 }
 
 }  // namespace
 
 std::string find_checkout() {
-  const GitAnswer root = ask_git({"rev-parse", "--show-toplevel"});
-  if (root.exit_code != 0 || root.lines.empty() ||
-      !fs::exists(fs::path(root.lines.front()) / "apps" / "study.cpp")) {
+  const std::vector<std::string> root = ask_git({"rev-parse", "--show-toplevel"});
+  if (root.empty() || !fs::exists(fs::path(root.front()) / "apps" / "study.cpp")) {
     throw InputError("the working directory is in no git checkout of ar3d");
   }
-  return root.lines.front();
+  return root.front();
 }
 
 std::optional<std::string> build_reference(const std::string& checkout, const std::string& ref,
@@ -181,15 +156,11 @@ std::optional<std::string> build_reference(const std::string& checkout, const st
   if (progress != nullptr) {
     say(progress, "building {} as {}, which takes minutes\n", ref, program.string());
   }
-  try {
-    Build build(ref, log, progress);
-    build_program(checkout, commit, build, program);
-  } catch (const BuildStopped&) {
-    fs::remove(log);
-    return {};
-  }
+  const bool is_built = build_program(
+      checkout, commit, program,
+      [&](const std::vector<std::string>& words) { return run_step(words, ref, log, progress); });
   fs::remove(log);
-  return program.string();
+  return is_built ? std::optional(program.string()) : std::nullopt;
 }
 
 }  // namespace ar3d

@@ -2,6 +2,7 @@
 // both, and each round is a pair of measurements.
 #include "ar3d/bench/compare/interleave.h"
 
+#include <boost/scope_exit.hpp>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -28,71 +29,56 @@ std::string last_line(const fs::path& path) {
   return last;
 }
 
-/// The two programs, the study and their results, in a folder of its own.
-class Arena {
- public:
-  Arena(const std::string& base_program, const std::string& new_program, const StudySpec& spec,
-        const std::string& folder)
-      : root_(fs::path(folder) / fmt::format("run-{}", getpid())) {
-    for (const auto& [side, program] :
-         {std::pair{kBase, &base_program}, std::pair{kNew, &new_program}}) {
-      fs::create_directories(root_ / side);
-      fs::copy_file(*program, root_ / side / "ar3d", fs::copy_options::overwrite_existing);
-    }
-    std::ofstream(root_ / "study.toml", std::ios::binary)
-        << text_of_a_turn(spec, kTimedRepetitions);
-  }
-  Arena(const Arena&) = delete;
-  Arena& operator=(const Arena&) = delete;
-  ~Arena() {
-    std::error_code ignored;
-    fs::remove_all(root_, ignored);
-  }
+constexpr const char* kBase = "base";
+constexpr const char* kNew = "next";  // as long as "base"
 
-  static constexpr const char* kBase = "base";
-  static constexpr const char* kNew = "next";  // as long as "base"
-
-  /// Runs the study once. @return false if it was interrupted.
-  bool run(const char* side, std::size_t round, int core, const InterleaveOptions& options,
-           std::vector<Results>& into) {
-    const fs::path results = root_ / fmt::format("{}-{}.h5", side, round), log = root_ / "log";
-    const std::string program = (root_ / side / "ar3d").string();
-    std::vector<std::vector<std::string>> commands = {{program, "study", "run",
-                                                       (root_ / "study.toml").string(), "--threads",
-                                                       "1", "--quiet", "-o", results.string()}};
-    if (options.count && round == 0) {
-      commands.push_back({program, "study", "count", results.string()});
-    }
-    for (const std::vector<std::string>& command : commands) {
-      const int code =
-          run_child(command, {.output = log.string(), .core = core, .ends_when_interrupted = true});
-      if (is_interrupted() || code == kInterruptedCode || code == 128 + SIGINT) return false;
-      if (code != 0 && code != 4 && code != 5) {  // verdicts on the rows, which are there
-        throw InputError(fmt::format("round {}: the {} program ended with code {}: {}", round, side,
-                                     code, last_line(log)));
-      }
-    }
-    into.push_back(read_results(results.string()));
-    fs::remove(results);
-    return true;
+/// Runs the study of a folder once with the program of one side. @return false if it was interrupted.
+bool run_once(const fs::path& folder, const char* side, std::size_t round, int core,
+              const InterleaveOptions& options, std::vector<Results>& into) {
+  const fs::path results = folder / fmt::format("{}-{}.h5", side, round), log = folder / "log";
+  const std::string program = (folder / side / "ar3d").string();
+  std::vector<std::vector<std::string>> commands = {{program, "study", "run",
+                                                     (folder / "study.toml").string(), "--threads",
+                                                     "1", "--quiet", "-o", results.string()}};
+  if (options.count && round == 0) {
+    commands.push_back({program, "study", "count", results.string()});
   }
-
- private:
-  fs::path root_;
-};
+  for (const std::vector<std::string>& command : commands) {
+    const int code =
+        run_child(command, {.output = log.string(), .core = core, .ends_when_interrupted = true});
+    if (is_interrupted() || code == kInterruptedCode || code == 128 + SIGINT) return false;
+    if (code != 0 && code != 4 && code != 5) {  // verdicts on the rows, which are there
+      throw InputError(fmt::format("round {}: the {} program ended with code {}: {}", round, side,
+                                   code, last_line(log)));
+    }
+  }
+  into.push_back(read_results(results.string()));
+  fs::remove(results);
+  return true;
+}
 
 }  // namespace
 
 InterleavedRounds run_interleaved(const std::string& base_program, const std::string& new_program,
                                   const StudySpec& spec, const std::string& folder,
                                   const InterleaveOptions& options) {
-  Arena arena(base_program, new_program, spec, folder);
+  const fs::path own = fs::path(folder) / fmt::format("run-{}", getpid());
+  BOOST_SCOPE_EXIT_ALL(&) {
+    std::error_code ignored;
+    fs::remove_all(own, ignored);
+  };
+  for (const auto& [side, program] :
+       {std::pair{kBase, &base_program}, std::pair{kNew, &new_program}}) {
+    fs::create_directories(own / side);
+    fs::copy_file(*program, own / side / "ar3d", fs::copy_options::overwrite_existing);
+  }
+  std::ofstream(own / "study.toml", std::ios::binary) << text_of_a_turn(spec, kTimedRepetitions);
   const int core = options.core >= 0 ? options.core : allowed_cores().back();
   const Stopwatch stopwatch;
   InterleavedRounds rounds;
   for (std::size_t round = 0; round < options.rounds; ++round) {
-    const auto base = [&] { return arena.run(Arena::kBase, round, core, options, rounds.base); };
-    const auto now = [&] { return arena.run(Arena::kNew, round, core, options, rounds.now); };
+    const auto base = [&] { return run_once(own, kBase, round, core, options, rounds.base); };
+    const auto now = [&] { return run_once(own, kNew, round, core, options, rounds.now); };
     rounds.interrupted = round % 2 == 0 ? !(base() && now()) : !(now() && base());
     if (rounds.interrupted) break;
     if (options.progress != nullptr) {

@@ -88,14 +88,6 @@ Graph Spool::read(std::uint64_t offset) const {
   return graph_of_line(std::move(line), name_, std::uint64_t{1} << 32);
 }
 
-std::string CorpusOptions::text() const {
-  return fmt::format(
-      "format={};base={};first_line={};simple={};undirected={};component={};sample={};"
-      "sample_seed={};skip={};looks_again={}",
-      reading.format, reading.base, static_cast<int>(reading.first_line), reading.simplify,
-      reading.undirected, largest_component, sample, sample_seed, skip, looks_again);
-}
-
 // Takes the graphs of the files one after the other. A sample of k is the k places of the smallest
 // random numbers, a function of seed and place: a larger sample contains the smaller one, and only
 // graphs that are among the k smallest so far are ever written.
@@ -121,11 +113,11 @@ class Corpus::Scan {
       if (path != std::string::npos) problem.replace(path, file.path.size(), file.file);
       corpus_.skipped_.push_back({"", file.file.empty() ? file.path : file.file, problem});
     }
-    const auto known = held_.find(file.file);
-    if (known != held_.end()) known->second.is_there = true;
+    there_.insert(file.file);
     if (read.graphs == 0) return;
     read.hash = hash.digest();
-    if (known != held_.end() && known->second.hashes.contains(read.hash)) {
+    const auto known = held_.find(file.file);
+    if (known != held_.end() && known->second.contains(read.hash)) {
       corpus_.entries_.resize(taken_before);  // what the spool has more is never asked for
       corpus_.graphs_in_file_ = graphs_before;
       return;
@@ -137,8 +129,8 @@ class Corpus::Scan {
   }
 
   void finish(bool has_looked) {
-    for (const auto& [file, before] : held_) {
-      if (has_looked && !before.is_there) corpus_.growth_.gone.push_back(file);
+    for (const auto& [file, hashes] : held_) {
+      if (has_looked && !there_.contains(file)) corpus_.growth_.gone.push_back(file);
     }
     if (options_.sample > 0) drop_replaced();
     corpus_.spool_.flush();
@@ -151,31 +143,26 @@ class Corpus::Scan {
   }
 
  private:
-  /// Holds what files of one name held when the study began, or grew.
-  struct Before {
-    std::set<std::string> hashes;
-    bool is_there = false;
-  };
-
   void add(const std::string& name, CollectedFile file) {
-    corpus_.names_.push_back({name, copies_[file.hash]++});
+    corpus_.names_.push_back(name);
+    corpus_.copies_.push_back(copies_[file.hash]++);
     corpus_.files_.push_back(std::move(file));
   }
 
   /// Its places are those that it had.
   void take_held(const CorpusFile& file) {
-    const CollectedFile& record = file.held->record;
+    const CollectedFile& record = *file.held;
     const auto first = static_cast<std::uint64_t>(record.first);
     const auto graphs = static_cast<std::uint64_t>(record.graphs);
     if (first < corpus_.graphs_in_file_) {
       throw InputError(fmt::format("/collected_files: {} graphs from {} on are none of {}",
                                    record.graphs, record.first, printable(record.file)));
     }
-    for (const auto& [place, line] : file.held->lines) {
+    for (const auto& [place, line] : file.lines) {
       keep(graph_of_line(line + "\n", "/graphs", kMostHeldVertices), place);
     }
     corpus_.graphs_in_file_ = first + graphs;
-    held_[record.file].hashes.insert(record.hash);
+    held_[record.file].insert(record.hash);
     add(file.name, {"", record.file, file.group, record.hash, record.first, record.graphs});
   }
 
@@ -223,10 +210,10 @@ class Corpus::Scan {
 
   std::string hash_of_files() const {
     const std::vector<CollectedFile>& files = corpus_.files_;
-    if (files.size() == 1 && corpus_.names_[0].name.empty()) return files[0].hash;
+    if (files.size() == 1 && corpus_.names_[0].empty()) return files[0].hash;
     std::string text;
     for (std::size_t i = 0; i < files.size(); ++i) {
-      text += fmt::format("{}\n{}\n{}\n", corpus_.names_[i].name, files[i].group, files[i].hash);
+      text += fmt::format("{}\n{}\n{}\n", corpus_.names_[i], files[i].group, files[i].hash);
     }
     return content_hash(text);
   }
@@ -254,7 +241,9 @@ class Corpus::Scan {
 
   Corpus& corpus_;
   const CorpusOptions& options_;
-  std::map<std::string, Before> held_;           // by file
+  std::map<std::string, std::set<std::string>>
+      held_;                                     // by file, hashes when the study began or grew
+  std::set<std::string> there_;                  // files that were looked at
   std::map<std::string, std::uint32_t> copies_;  // of files, by the hash of their graphs
   std::priority_queue<Ticket> drawn_;  // the smallest ones so far, the largest of them on top
 };
@@ -272,23 +261,17 @@ Corpus::Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& option
   scan.finish(options.looks_again);
 }
 
-std::size_t Corpus::file_of(std::uint32_t place) const {
+std::size_t Corpus::number_at(std::uint32_t place) const {
   const auto behind = std::upper_bound(
       files_.begin(), files_.end(), place,
       [](std::uint32_t wanted, const CollectedFile& file) { return wanted < file.first; });
   return static_cast<std::size_t>(behind - files_.begin()) - 1;
 }
 
-GraphIdentity Corpus::identity(std::uint32_t place) const {
-  const std::size_t file = file_of(place);
-  return {files_[file].hash, place - static_cast<std::uint32_t>(files_[file].first),
-          names_[file].copy};
-}
-
 std::string Corpus::graph_name(std::uint32_t place) const {
   constexpr std::size_t kMost = 96;
-  const std::size_t file = file_of(place);
-  std::string name = names_[file].name;
+  const std::size_t file = number_at(place);
+  std::string name = names_[file];
   if (files_[file].graphs > 1) name += fmt::format("#{}", place - files_[file].first);
   if (name.size() <= kMost) return name;
   std::size_t begin = name.size() - (kMost - 3);
@@ -336,15 +319,20 @@ std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
   return std::make_shared<const NamedCorpus>(NamedCorpus{std::move(family), std::move(graphs)});
 }
 
-std::shared_ptr<const Corpus> CorpusShelf::get(const std::vector<CorpusFile>& files,
-                                               const CorpusOptions& options) {
-  std::string key = options.text();
+std::shared_ptr<const Corpus> shelved_corpus(CorpusShelf& shelf,
+                                             const std::vector<CorpusFile>& files,
+                                             const CorpusOptions& options) {
+  const ReadOptions& reading = options.reading;
+  std::string key = fmt::format("{};{};{};{};{};{};{};{};{};{}", reading.format, reading.base,
+                                static_cast<int>(reading.first_line), reading.simplify,
+                                reading.undirected, options.largest_component, options.sample,
+                                options.sample_seed, options.skip, options.looks_again);
   for (const CorpusFile& file : files) {
     for (const std::string* part : {&file.path, &file.name, &file.group})
       key.append(1, '\n').append(*part);
-    if (file.held) key += fmt::format("\n{} {}", file.held->record.hash, file.held->record.first);
+    if (file.held) key += fmt::format("\n{} {}", file.held->hash, file.held->first);
   }
-  std::shared_ptr<const Corpus>& corpus = corpora_[content_hash(key)];
+  std::shared_ptr<const Corpus>& corpus = shelf[content_hash(key)];
   if (!corpus) corpus = std::make_shared<const Corpus>(files, options);
   return corpus;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,12 +41,6 @@ class Spool {
   std::string buffer_;     // not written yet
 };
 
-/// Is a file as a study has read it before, with the graphs taken of it: lines of sparse6 by place.
-struct HeldFile {
-  CollectedFile record;
-  std::map<std::uint32_t, std::string> lines;
-};
-
 /// Describes a file of a corpus.
 struct CorpusFile {
   std::string path;
@@ -53,7 +48,9 @@ struct CorpusFile {
   std::string group;         ///< in rows
   std::string problem = {};  ///< it cannot be read for that reason; empty: nobody knows before
   std::string file = {};     ///< path within the collection; empty where the corpus is one file
-  std::shared_ptr<const HeldFile> held = {};  ///< given: nothing is read, its graphs are these
+  /// Holds the file as a study has read it before. Given: nothing is read, its graphs are these.
+  std::optional<CollectedFile> held = {};
+  std::map<std::uint32_t, std::string> lines = {};  ///< of sparse6, by place
 };
 
 /// Says how files differ from those that a corpus holds: what they hold by now is added.
@@ -70,17 +67,6 @@ struct CorpusOptions {
   std::uint64_t sample_seed = 0;
   bool skip = false;  ///< a file is read up to its first error and listed; else that is thrown
   bool looks_again = false;  ///< files are held, and all that there are now stand behind them
-
-  /// Returns all of it, "format=…;…": equal texts mean equal options.
-  std::string text() const;
-};
-
-/// Holds what a graph is apart from names: the hash of its file's graphs, its place among them, and
-/// how many files before its own in the corpus have that hash, too.
-struct GraphIdentity {
-  std::string file_hash;
-  std::uint32_t index = 0;
-  std::uint32_t copy = 0;
 };
 
 /// Represents the graphs of files, read once and kept in a temporary file without a name, so that
@@ -108,12 +94,13 @@ class Corpus {
   /// Returns the files with graphs, by place; their family has no name yet.
   const std::vector<CollectedFile>& files() const { return files_; }
 
-  /// Returns the identity of the graph at that place. O(log files).
-  GraphIdentity identity(std::uint32_t place) const;
+  /// Returns the file that holds the graph at that place. O(log files).
+  const CollectedFile& file_at(std::uint32_t place) const { return files_[number_at(place)]; }
+  /// Returns how many files before that one have the same graphs.
+  std::uint32_t copy_at(std::uint32_t place) const { return copies_[number_at(place)]; }
   /// Returns the name of its file, "#3" behind it if that holds several; of 96 bytes at most, the
   /// last.
   std::string graph_name(std::uint32_t place) const;
-  const std::string& group(std::uint32_t place) const { return files_[file_of(place)].group; }
   /// Returns how many of the graphs taken have a vertex of larger degree.
   std::size_t count_above(std::uint32_t max_degree) const;
 
@@ -141,17 +128,14 @@ class Corpus {
     std::uint32_t place = 0;
     std::uint32_t max_degree = 0;
   };
-  struct FileName {
-    std::string name;        // of its graphs in rows
-    std::uint32_t copy = 0;  // how many files before it have the same graphs
-  };
   class Scan;
-  std::size_t file_of(std::uint32_t place) const;
+  std::size_t number_at(std::uint32_t place) const;  // of the file
 
   std::string path_;  // of the file being read, or of the last one
   std::string hash_;
-  std::vector<CollectedFile> files_;  // those with graphs, by place
-  std::vector<FileName> names_;       // of the same
+  std::vector<CollectedFile> files_;   // those with graphs, by place
+  std::vector<std::string> names_;     // of their graphs in rows
+  std::vector<std::uint32_t> copies_;  // how many files before each have the same graphs
   std::vector<SkippedFile> skipped_;
   CorpusGrowth growth_;
   std::uint64_t graphs_in_file_ = 0;
@@ -169,16 +153,13 @@ struct NamedCorpus {
 std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
                                                 std::shared_ptr<const Corpus> graphs);
 
-/// Holds the corpora that a study has opened: each is read once, however often it is asked for.
-class CorpusShelf {
- public:
-  /// @throws InputError as Corpus.
-  std::shared_ptr<const Corpus> get(const std::vector<CorpusFile>& files,
-                                    const CorpusOptions& options);
-
- private:
-  std::map<std::string, std::shared_ptr<const Corpus>> corpora_;
-};
+/// Holds the corpora that a study has opened, by what files and options say.
+using CorpusShelf = std::map<std::string, std::shared_ptr<const Corpus>>;
+/// Returns the corpus of the files, which is read once, however often it is asked for.
+/// @throws InputError as Corpus.
+std::shared_ptr<const Corpus> shelved_corpus(CorpusShelf& shelf,
+                                             const std::vector<CorpusFile>& files,
+                                             const CorpusOptions& options);
 
 /// Returns the graph on the vertices with keep[v], renamed in order. O(n + m).
 Graph induced(const Graph& graph, const std::vector<bool>& keep);

@@ -116,9 +116,9 @@ std::string program_version(const ExternalAlgorithm& program) {
   }
   if (file.empty()) return "";
   const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
-  const GitAnswer commit =
+  const std::vector<std::string> commit =
       ask_git({"-C", folder, "describe", "--always", "--abbrev=40", "--dirty", "--exclude=*"});
-  return commit.exit_code == 0 && commit.lines.size() == 1 ? commit.lines.front() : "";
+  return commit.size() == 1 ? commit.front() : "";
 }
 
 }  // namespace ar3d

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/algorithm.h"
@@ -11,11 +12,16 @@
 
 namespace ar3d {
 
+/// Describes one integer setting of a family or an algorithm: its name, and the values that it takes
+/// in turn.
+using SettingChoices = std::pair<std::string, std::vector<std::int64_t>>;
+
 /// Is a program that draws graphs: a row of the catalogue whose drawings another process makes.
 struct ExternalAlgorithm {
   /// Holds name, options and guarantee; without a guarantee no degree is refused and no verdict
   /// given.
   Algorithm row;
+  std::vector<SettingChoices> choices;  ///< values that its options take where a sweep names none
   bool has_guarantee = false;
   std::vector<std::string> command;  ///< words; "{option}" stands for an option's value
   std::string version;               ///< as its author calls it; empty: program_version() asks git

@@ -9,6 +9,7 @@
 #include <pthread.h>
 #include <sys/wait.h>
 
+#include <boost/scope_exit.hpp>
 #include <cerrno>
 
 #include "ar3d/base/error.h"
@@ -19,28 +20,6 @@ namespace ar3d {
 namespace {
 
 constexpr std::size_t kKeptErrors = 400;
-
-// A pipe to a process that has gone raises SIGPIPE, which is not to end the study.
-class NoBrokenPipes {
- public:
-  NoBrokenPipes() {
-    sigemptyset(&pipe_);
-    sigaddset(&pipe_, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
-  }
-  ~NoBrokenPipes() {
-    const timespec no_time{};
-    while (sigtimedwait(&pipe_, nullptr, &no_time) > 0) {
-    }
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  NoBrokenPipes(const NoBrokenPipes&) = delete;
-  NoBrokenPipes& operator=(const NoBrokenPipes&) = delete;
-
- private:
-  sigset_t pipe_{};
-  sigset_t before_{};
-};
 
 void set_not_waiting(const Descriptor& descriptor) { fcntl(descriptor.get(), F_SETFL, O_NONBLOCK); }
 
@@ -153,7 +132,17 @@ void ExternalProcess::refuse_second_lines(double wait_s) {
 
 ExternalProcess::Answer ExternalProcess::ask(const std::string& request, double limit_s,
                                              std::size_t most_bytes) {
-  const NoBrokenPipes no_broken_pipes;
+  // A pipe to a process that has gone raises SIGPIPE, which is not to end the study.
+  sigset_t pipe{}, before{};
+  sigemptyset(&pipe);
+  sigaddset(&pipe, SIGPIPE);
+  pthread_sigmask(SIG_BLOCK, &pipe, &before);
+  BOOST_SCOPE_EXIT_ALL(&) {
+    const timespec no_time{};
+    while (sigtimedwait(&pipe, nullptr, &no_time) > 0) {
+    }
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  };
   refuse_second_lines(0);
   const double cpu_before = child_.cpu_s();
   const Stopwatch time;
@@ -184,8 +173,8 @@ ExternalProcess::Answer ExternalProcess::ask(const std::string& request, double 
   }
 }
 
-ExternalDrawing ExternalDrawer::draw(const ExternalAlgorithm& algorithm, const Settings& options,
-                                     const Graph& graph) {
+Drawing ExternalDrawer::draw(const ExternalAlgorithm& algorithm, const Settings& options,
+                             const Graph& graph, RunRecord* run) {
   const std::vector<std::string> command = command_with(algorithm, options);
   const std::string key = fmt::format("{}", fmt::join(command, "\n"));
   std::unique_ptr<ExternalProcess> process = std::move(processes_[key]);
@@ -204,8 +193,11 @@ ExternalDrawing ExternalDrawer::draw(const ExternalAlgorithm& algorithm, const S
   ProgramAnswer read = parsed(algorithm.row.name, graph, answer.line);
   if (!algorithm.one_graph_per_process) processes_[key] = std::move(process);
   if (!read.drawing) throw InputError(fmt::format("{}: {}", algorithm.row.name, read.refusal));
-  return {std::move(*read.drawing), answer.wall_s,
-          std::isnan(read.own_s) ? answer.cpu_s : read.own_s};
+  if (run != nullptr) {
+    run->wall_s = answer.wall_s;
+    run->cpu_s = std::isnan(read.own_s) ? answer.cpu_s : read.own_s;
+  }
+  return std::move(*read.drawing);
 }
 
 }  // namespace ar3d

@@ -83,23 +83,18 @@ class ExternalProcess {
   bool errors_ended_ = false;
 };
 
-/// Holds what a program has drawn and how long it took.
-struct ExternalDrawing {
-  Drawing drawing;
-  double wall_s = 0;  ///< from request to answer
-  double cpu_s = 0;   ///< the program's own time if it says so, else the CPU time of its process
-};
-
 /// Keeps a process for each external program with its options and has it draw graph after graph. A
 /// new process first draws a single edge, so that starting it is timed with no graph (unless it
 /// takes one graph only), and is listened to for 20 ms behind that answer and the next, lest it
 /// write second lines. To be used by one thread.
 class ExternalDrawer {
  public:
+  /// @param run  given: it gets the wall time from request to answer, and as CPU time the program's
+  /// own time if it says so, else that of its process.
   /// @throws ProgramFailure as ExternalProcess, and `crashed` if the answer is no drawing of the
   /// graph; InputError if the program refuses the graph. After a failure the process is replaced.
-  ExternalDrawing draw(const ExternalAlgorithm& algorithm, const Settings& options,
-                       const Graph& graph);
+  Drawing draw(const ExternalAlgorithm& algorithm, const Settings& options, const Graph& graph,
+               RunRecord* run = nullptr);
 
  private:
   std::map<std::string, std::unique_ptr<ExternalProcess>> processes_;  // by command

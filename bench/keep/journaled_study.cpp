@@ -1,6 +1,7 @@
 // A study from its beginning to its results file; a stopped one goes on from its journal.
 #include "ar3d/bench/keep/journaled_study.h"
 
+#include <boost/scope_exit.hpp>
 #include <filesystem>
 
 #include "ar3d/base/parallel.h"
@@ -134,30 +135,6 @@ std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const Sess
   return session;
 }
 
-// New rows go into the journal; those that the collection has are there.
-class JournalSink final : public RowSink {
- public:
-  JournalSink(const RowCollection& before, JournalWriter& journal,
-              std::vector<EnvironmentEntry>& notes)
-      : before_(before), journal_(journal), notes_(notes) {}
-  bool has_any() const override { return before_.size() > 0; }
-  bool has(const std::string& key) const override {
-    return before_.find(parse_row_key(key)).has_value();
-  }
-  RunRecord read(const std::string& key) const override {
-    std::vector<char> record(run_record_size());
-    before_.read(before_.find(parse_row_key(key)).value(), record.data());
-    return load_record(record.data());
-  }
-  void add(std::size_t, const RunRecord& row) override { journal_.append(row); }
-  void note(const EnvironmentEntry& entry) override { notes_.push_back(entry); }
-
- private:
-  const RowCollection& before_;
-  JournalWriter& journal_;
-  std::vector<EnvironmentEntry>& notes_;
-};
-
 // Does a step on all ranks; an InputError of one is one of all. What else is thrown is the rank's
 // own: its caller ends them all (Ranks::give_up).
 void together(Ranks& ranks, const std::function<void()>& step) {
@@ -180,16 +157,6 @@ void together(Ranks& ranks, const std::function<void()>& step) {
   if (result != StepResult::done) throw FailedTogether(why, result == StepResult::journal_full);
 }
 
-// Lets the helpers of rank 0 go, whatever happens.
-class Dismissal {
- public:
-  explicit Dismissal(Ranks& ranks) : ranks_(ranks) {}
-  ~Dismissal() { ranks_.dismiss(); }
-
- private:
-  Ranks& ranks_;
-};
-
 // One process's part in a study: its journal and what was there before.
 class StudyPart {
  public:
@@ -198,7 +165,7 @@ class StudyPart {
         policy_(policy),
         ranks_(ranks),
         plan_(plan_of(study)),
-        folder_(study.results) {
+        folder_(open_folder(study.results)) {
     const StudyIdentity identity = identity_of(study, plan_);
     const std::string path = journal_path(study.results, ranks.rank());
     together(ranks, [&] {
@@ -240,8 +207,8 @@ class StudyPart {
       shared.timed_phases = policy_.timed_phases;
       shared.next_instance = [] { return std::nullopt; };
       if (plan_.budget.study_s) *plan_.budget.study_s -= time.wall_s();  // what is left of it
-      const Dismissal at_end(ranks_);
-      study_.results = folder_.results_path();
+      BOOST_SCOPE_EXIT_ALL(&) { ranks_.dismiss(); };                     // whatever happens
+      study_.results = path_in_folder(folder_, study_.results);
       make(shared, rows_so_far(study_));
     });
     at_end_.push_back({"load_after", load_average()});
@@ -249,7 +216,7 @@ class StudyPart {
   }
 
   StudyOutcome write_results() {
-    study_.results = folder_.results_path();
+    study_.results = path_in_folder(folder_, study_.results);
     StudyOutcome outcome = write_rows_so_far(study_, plan_, study_.results);
     if (outcome.complete()) remove_journals(study_.results);
     outcome.results = study_.results;
@@ -289,7 +256,18 @@ class StudyPart {
   }
 
   void make(const SessionPolicy& policy, const RowCollection& before) {
-    JournalSink sink(before, *journal_, at_end_);
+    RowSink sink{[&](std::size_t, const RunRecord& row) { journal_->append(row); },
+                 [&](const EnvironmentEntry& entry) { at_end_.push_back(entry); }};
+    if (before.size() > 0) {
+      sink.has = [&](const std::string& key) {
+        return before.find(parse_row_key(key)).has_value();
+      };
+      sink.read = [&](const std::string& key) {
+        std::vector<char> record(run_record_size());
+        before.read(before.find(parse_row_key(key)).value(), record.data());
+        return load_record(record.data());
+      };
+    }
     run_session(plan_, policy, sink);
   }
 
@@ -297,7 +275,7 @@ class StudyPart {
   const SessionPolicy& policy_;
   Ranks& ranks_;
   StudyPlan plan_;
-  StudyFolder folder_;
+  Descriptor folder_;
   std::vector<EnvironmentEntry> at_end_;
   std::optional<JournalWriter> journal_;  // until the end, so that nobody else takes the study up
 };

@@ -168,25 +168,22 @@ void remove_journals(const std::string& results) {
   }
 }
 
-StudyFolder::StudyFolder(const std::string& results)
-    : results_(results),
-      folder_(open(folder_of(results).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {
-  if (folder_.get() < 0) {
-    throw InputError(fmt::format("cannot open {}: {}", folder_of(results), std::strerror(errno)));
-  }
+Descriptor open_folder(const std::string& results) {
+  Descriptor folder(open(folder_of(results).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (folder.get() >= 0) return folder;
+  throw InputError(fmt::format("cannot open {}: {}", folder_of(results), std::strerror(errno)));
 }
 
-std::string StudyFolder::results_path() const {
+std::string path_in_folder(const Descriptor& folder, const std::string& results) {
   struct stat held {};
   struct stat named {};
-  const bool is_same = fstat(folder_.get(), &held) == 0 &&
-                       stat(folder_of(results_).c_str(), &named) == 0 &&
+  const bool is_same = fstat(folder.get(), &held) == 0 &&
+                       stat(folder_of(results).c_str(), &named) == 0 &&
                        held.st_dev == named.st_dev && held.st_ino == named.st_ino;
   std::error_code error;
   const fs::path now =
-      is_same ? fs::path()
-              : fs::read_symlink(fmt::format("/proc/self/fd/{}", folder_.get()), error);
-  return is_same || error ? results_ : (now / file_name(results_)).string();
+      is_same ? fs::path() : fs::read_symlink(fmt::format("/proc/self/fd/{}", folder.get()), error);
+  return is_same || error ? results : (now / file_name(results)).string();
 }
 
 }  // namespace ar3d

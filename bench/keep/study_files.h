@@ -50,19 +50,12 @@ bool rows_are_in_results(const std::string& results);
 /// InputError if the folder cannot be listed.
 void remove_study_leftovers(const std::string& results);
 
-/// Is the folder of a study's files, held open: it stays the same one whatever its name becomes.
-class StudyFolder {
- public:
-  /// @throws InputError if it cannot be opened.
-  explicit StudyFolder(const std::string& results);
-  /// Returns the path of the results file in this folder: the one given as long as that leads here,
-  /// else the one under which the folder is found now.
-  std::string results_path() const;
-
- private:
-  std::string results_;
-  Descriptor folder_;
-};
+/// Opens the folder of a study's files: it stays the same one whatever its name becomes.
+/// @throws InputError if it cannot be opened.
+Descriptor open_folder(const std::string& results);
+/// Returns the path of the results file in that folder: the one given as long as it leads there,
+/// else the one under which the folder is found now.
+std::string path_in_folder(const Descriptor& folder, const std::string& results);
 
 /// Removes them; to be called once the results file is safe on the disk. @throws InputError naming
 /// one that cannot be removed.

@@ -122,7 +122,7 @@ void HardwareCounters::start() {
   }
 }
 
-CountedEvents HardwareCounters::stop() {
+std::array<std::int64_t, 3> HardwareCounters::stop() {
   for (const Descriptor& counter : counters_) {
     if (counter.get() >= 0) ioctl(counter.get(), PERF_EVENT_IOC_DISABLE, 0);
   }

@@ -37,14 +37,6 @@ class CpuStopwatch {
   double start_ = thread_cpu_s();
 };
 
-/// Holds what the processor counted in user space of the calling thread; -1: the kernel does not
-/// tell.
-struct CountedEvents {
-  std::int64_t instructions = -1;
-  std::int64_t cycles = -1;
-  std::int64_t cache_misses = -1;
-};
-
 /// Represents the hardware counters of one thread (Linux perf_event_open). Construct and use it in
 /// that thread.
 class HardwareCounters {
@@ -52,9 +44,9 @@ class HardwareCounters {
   HardwareCounters();
 
   void start();
-  /// Returns the events since start(). A hardware counter that had to share the processor with
-  /// others is not told.
-  CountedEvents stop();
+  /// Returns instructions, cycles and cache misses since start(), in user space of the thread. -1:
+  /// the kernel does not tell, or the hardware counter had to share the processor with others.
+  std::array<std::int64_t, 3> stop();
 
   /// Returns "available", or "absent: <why>" naming the first hardware counter that cannot be had.
   const std::string& availability() const { return availability_; }

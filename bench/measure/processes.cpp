@@ -129,17 +129,12 @@ void limit(__rlimit_resource resource, double value) {
   setrlimit(resource, &both);
 }
 
-void set_limits(const StepLimits& limits) {
-  if (limits.cpu_s && *limits.cpu_s < kNoLimit) limit(RLIMIT_CPU, std::ceil(*limits.cpu_s));
+void set_limits(const std::optional<double>& cpu_s, const std::optional<double>& memory_bytes) {
+  if (cpu_s && *cpu_s < kNoLimit) limit(RLIMIT_CPU, std::ceil(*cpu_s));
   const bool sanitised = std::string_view(build_kind()) == "sanitised";
-  if (limits.memory_bytes && *limits.memory_bytes < kNoLimit && !sanitised) {
-    limit(RLIMIT_AS, address_space_bytes() + *limits.memory_bytes);
+  if (memory_bytes && *memory_bytes < kNoLimit && !sanitised) {
+    limit(RLIMIT_AS, address_space_bytes() + *memory_bytes);
   }
-}
-
-// One that computes nothing, since it waits for ever, ends after this time, as rows do.
-double idle_limit_s(const StepLimits& limits) {
-  return 10 * std::ceil(limits.cpu_s.value_or(kNoLimit)) + 1;
 }
 
 // False if it ends first, is late or is to stop.
@@ -219,42 +214,44 @@ int run_child(const std::vector<std::string>& words, const ChildOptions& options
   return run_child(words, options, log.get());
 }
 
-GitAnswer ask_git(std::vector<std::string> words) {
+std::vector<std::string> ask_git(std::vector<std::string> words) {
   const Descriptor memory(memfd_create("git", MFD_CLOEXEC));  // no file that anybody could name
   if (memory.get() < 0) throw InputError(fmt::format("cannot ask git: {}", std::strerror(errno)));
   words.insert(words.begin(), "git");
-  GitAnswer answer;
-  answer.exit_code = run_child(words, {}, memory.get());
+  std::vector<std::string> lines;
+  if (run_child(words, {}, memory.get()) != 0) return lines;
   const off_t size = lseek(memory.get(), 0, SEEK_END);
   std::string text(static_cast<std::size_t>(std::max<off_t>(size, 0)), '\0');
   read_whole(memory.get(), text, 0);
   std::istringstream file(text);
-  for (std::string line; std::getline(file, line);) answer.lines.push_back(line);
-  return answer;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
 }
 
-StepEnd run_within(const StepLimits& limits, std::span<char> result,
-                   const std::function<void()>& step) {
+RunStatus run_within(std::optional<double> cpu_s, std::optional<double> memory_bytes,
+                     std::span<char> result, const std::function<void()>& step) {
   Child child = Child::forked({}, [&](int socket) {
     try {
-      set_limits(limits);
+      set_limits(cpu_s, memory_bytes);
       step();
     } catch (const std::bad_alloc&) {
       return kOutOfMemory;
     }
     return send_all(socket, result) ? 0 : 1;
   });
-  const bool came = read_all(child.socket(), result, idle_limit_s(limits));
+  // One that computes nothing, since it waits for ever, ends after this time, as rows do.
+  const double idle_limit_s = 10 * std::ceil(cpu_s.value_or(kNoLimit)) + 1;
+  const bool came = read_all(child.socket(), result, idle_limit_s);
   const bool late = !came && !is_interrupted() && !is_at_end(child.socket());
   if (late || is_interrupted()) child.send(SIGKILL);
   const int status = child.wait();
-  if (late) return StepEnd::out_of_time;
-  if (came && WIFEXITED(status) && WEXITSTATUS(status) == 0) return StepEnd::done;
-  if (is_interrupted()) return StepEnd::failed;
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return StepEnd::out_of_time;
+  if (late) return RunStatus::timeout;
+  if (came && WIFEXITED(status) && WEXITSTATUS(status) == 0) return RunStatus::ok;
+  if (is_interrupted()) return RunStatus::crashed;
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return RunStatus::timeout;
   const bool memory = WIFEXITED(status) ? WEXITSTATUS(status) == kOutOfMemory
                                         : WTERMSIG(status) == SIGKILL;  // the system wanted it
-  return memory ? StepEnd::out_of_memory : StepEnd::failed;
+  return memory ? RunStatus::out_of_memory : RunStatus::crashed;
 }
 
 }  // namespace ar3d

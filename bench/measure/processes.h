@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/store/columns/run_record.h"
+
 namespace ar3d {
 
 /// Says what another of these signals does once one has asked to stop.
@@ -62,30 +64,19 @@ struct ChildOptions {
 /// or the output cannot be written.
 int run_child(const std::vector<std::string>& words, const ChildOptions& options);
 
-/// Holds what git printed, on both streams, and how it ended.
-struct GitAnswer {
-  int exit_code = 0;
-  std::vector<std::string> lines;
-};
-
 /// Runs git with these words, without a shell. @throws InputError if no process can be made.
-GitAnswer ask_git(std::vector<std::string> words);
-
-/// Holds what a step may use in a process of its own.
-struct StepLimits {
-  std::optional<double>
-      cpu_s;  ///< kept to the next whole second; who waits has ten times that, and 1 s
-  std::optional<double> memory_bytes;  ///< address space above the caller's; not where the build is
-                                       ///< sanitised, which needs all of it
-};
-
-enum class StepEnd { done, out_of_time, out_of_memory, failed };
+/// @return the lines that it printed, on both streams; none where it ended with another code than 0.
+std::vector<std::string> ask_git(std::vector<std::string> words);
 
 /// Runs `step` in a forked process and copies what it wrote into `result`, which holds plain bytes,
 /// back here. The process dies with this one. To be called while no other thread runs.
-/// @return out_of_memory also if std::bad_alloc left the step. `result` counts only if done.
+/// @param cpu_s  kept to the next whole second; who waits has ten times that, and 1 s.
+/// @param memory_bytes  address space above the caller's; not where the build is sanitised, which
+/// needs all of it.
+/// @return how it ended, as a row would: ok, timeout, out_of_memory (also if std::bad_alloc left the
+/// step), else crashed. `result` counts only if ok.
 /// @throws InputError if the system has no process or pipe left.
-StepEnd run_within(const StepLimits& limits, std::span<char> result,
-                   const std::function<void()>& step);
+RunStatus run_within(std::optional<double> cpu_s, std::optional<double> memory_bytes,
+                     std::span<char> result, const std::function<void()>& step);
 
 }  // namespace ar3d

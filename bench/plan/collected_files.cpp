@@ -1,7 +1,5 @@
 // Lists the files of collections: patterns, folders, and the groups that a table gives. What no row
 // can hold is said of its file, so that it can be skipped.
-#include "ar3d/bench/plan/collected_files.h"
-
 #include <fmt/format.h>
 #include <glob.h>
 
@@ -12,6 +10,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {
@@ -120,18 +119,6 @@ std::vector<std::string> matches(const std::string& path) {
 
 [[noreturn]] void refuse_empty(const GraphsEntry& entry) {
   throw InputError(fmt::format("{}no file matches '{}'", entry.place, printable(entry.file)));
-}
-
-std::vector<std::string> matching_files(const std::string& path, const GraphsEntry& entry) {
-  std::vector<std::string> files = matches(path);
-  if (is_pattern(path)) {
-    std::erase_if(files, [](const std::string& file) {
-      std::error_code ignored;
-      return fs::is_directory(file, ignored);
-    });
-  }
-  if (files.empty()) refuse_empty(entry);
-  return files;
 }
 
 std::vector<std::string> collected_paths(const std::string& path,

@@ -11,7 +11,6 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/bench/plan/collected_files.h"
 #include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/formats/text/tokens.h"
 #include "ar3d/generators/random_graphs.h"
@@ -40,13 +39,17 @@ std::vector<CorpusFile> held_files(const StudySpec& spec, const GraphFileRecord&
       throw InputError(fmt::format("/collected_files: {} graphs from {} on are no part of {}",
                                    file.graphs, file.first, record.name));
     }
-    auto held = std::make_shared<HeldFile>(HeldFile{file, {}});
     const auto first = static_cast<std::uint32_t>(file.first);
     const auto end = static_cast<std::uint32_t>(file.first + file.graphs);
-    held->lines = {lines.lower_bound(first), lines.lower_bound(end)};
     const std::string name =
         record.groups.empty() ? fs::path(file.file).filename().string() : file.file;
-    files.push_back({record.path, name, file.group, {}, file.file, std::move(held)});
+    files.push_back({record.path,
+                     name,
+                     file.group,
+                     {},
+                     file.file,
+                     file,
+                     {lines.lower_bound(first), lines.lower_bound(end)}});
   }
   return files;
 }
@@ -114,9 +117,10 @@ class CorpusReader {
           entry.groups.empty() ? "" : absolute_path(spec_.folder, entry.groups);
       return {{entry.name, number, -1, {}, wanted, groups}};
     }
-    for (const std::string& path : matching_files(wanted, entry)) {
+    for (const std::string& path : matches(wanted)) {
       std::error_code ignored;
       if (fs::is_directory(path, ignored)) {
+        if (is_pattern(wanted)) continue;
         throw InputError(
             fmt::format("{}cannot read {}: it is a directory; {{ files = …, name = … }} makes one "
                         "collection of it",
@@ -125,6 +129,7 @@ class CorpusReader {
       records.push_back(
           {entry.name.empty() ? own_graphs_name(path) : entry.name, number, -1, {}, path});
     }
+    if (records.empty()) refuse_empty(entry);
     if (!entry.name.empty() && records.size() > 1) {
       throw InputError(
           fmt::format("{}'{}' is one name for the {} files that '{}' matches: {{ "
@@ -166,7 +171,7 @@ class CorpusReader {
       if (files.empty()) refuse_empty(entry);
       CorpusOptions now = options;
       now.looks_again = grows && files.front().held;
-      return spec_.shelf->get(files, now);
+      return shelved_corpus(*spec_.shelf, files, now);
     } catch (const InputError& error) {
       const std::string message = error.what();
       throw InputError(message.starts_with(entry.place) ? message : entry.place + message);

@@ -33,6 +33,24 @@ std::vector<StudyCorpus> corpora_of(const StudySpec& spec, const std::string& on
 /// now.
 std::vector<std::string> graph_files_of(const StudySpec& spec);
 
+// The files themselves (collected_files.cpp).
+
+bool is_pattern(const std::string& file);
+[[noreturn]] void refuse_empty(const GraphsEntry& entry);
+/// Returns what matches, by name; the file itself where it exists under that very name, or is no
+/// pattern.
+std::vector<std::string> matches(const std::string& path);
+/// Returns the files of a collection, by name: what matches, and everything in folders that match,
+/// but for the study's own files and journals (StudySpec::own_files).
+/// @throws InputError naming what cannot be read.
+std::vector<std::string> collected_paths(const std::string& path,
+                                         const std::vector<std::string>& own_files);
+/// Returns the files of a collection with their names behind its folder, and their groups:
+/// sub-folders, or as the table says. @throws InputError as above, and naming a line of the table
+/// that is none.
+std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry,
+                                        const std::vector<std::string>& own_files);
+
 /// Returns the graph of a choice with a corpus: that of the place `index`, its labels permuted by
 /// the seed where the parameters say so.
 Graph corpus_graph(const FamilyChoice& choice, std::uint32_t index, std::uint64_t seed);

@@ -35,21 +35,12 @@ std::uint64_t drawings_of(const BatchRules& batches, std::uint32_t scale, RunPha
   return is_strong(phase) ? drawings : drawings * scale;
 }
 
-// Calls use(batches, phase) for each kind of batches.
-template <class Use>
-void for_each_kind(const Sweep& sweep, Use&& use) {
-  use(sweep.strong, RunPhase::strong);
-  use(sweep.weak, RunPhase::weak);
-  use(sweep.strong_ranks, RunPhase::strong_ranks);
-  use(sweep.weak_ranks, RunPhase::weak_ranks);
-}
-
 // Rows of one drawing; at most 2^62.
 std::uint64_t rows_of_a_drawing(const Sweep& sweep) {
   std::uint64_t rows = std::uint64_t{sweep.repetitions} + sweep.timed.most;
-  for_each_kind(sweep, [&](const BatchRules& batches, RunPhase phase) {
+  for (const auto& [phase, batches] : sweep.batches) {
     for (const std::uint32_t scale : batches.scales) rows += drawings_of(batches, scale, phase);
-  });
+  }
   return rows;
 }
 
@@ -66,13 +57,13 @@ void for_each_row(const Sweep& sweep, PlannedRun run, Use&& use) {
   };
   for (std::uint32_t i = 0; i < sweep.repetitions; ++i) make(RunPhase::metrics, -1, i, 0);
   for (std::uint32_t i = 0; i < sweep.timed.most; ++i) make(RunPhase::timing, -1, i, 0);
-  for_each_kind(sweep, [&](const BatchRules& batches, RunPhase phase) {
+  for (const auto& [phase, batches] : sweep.batches) {
     for (const std::uint32_t scale : batches.scales) {
       const auto drawings = static_cast<std::uint32_t>(drawings_of(batches, scale, phase));
       const std::uint32_t members = drawings / batches.repetitions;
       for (std::uint32_t i = 0; i < drawings; ++i) make(phase, scale, i, i / members);
     }
-  });
+  }
 }
 
 bool any_matches(const std::vector<CellPattern>& patterns, const std::string& family,

@@ -97,13 +97,11 @@ class PlannedInstances {
   auto end() const { return iterator(size_); }
 
  private:
-  struct At {
-    const PlannedInstances* all;
-    PlannedInstance operator()(std::size_t place) const { return (*all)[place]; }
-  };
-  boost::transform_iterator<At, boost::counting_iterator<std::size_t>> iterator(
-      std::size_t place) const {
-    return {boost::counting_iterator<std::size_t>(place), At{this}};
+  boost::transform_iterator<std::function<PlannedInstance(std::size_t)>,
+                            boost::counting_iterator<std::size_t>>
+  iterator(std::size_t place) const {
+    return {boost::counting_iterator<std::size_t>(place),
+            [this](std::size_t i) { return (*this)[i]; }};
   }
 
   std::uint64_t study_seed_;

@@ -36,18 +36,19 @@ void append_line(std::string& text, const char* name, T value) {
 std::string instance_identity(const PlannedInstance& instance) {
   std::string text;
   text.reserve(kUsualText);
-  GraphIdentity graph;
-  graph.index = instance.index;
+  std::uint32_t index = instance.index, copy = 0;
   if (const auto& corpus = instance.choice.corpus) {  // whatever the file is called
-    graph = corpus->graphs->identity(instance.index);
-    append_line(text, "graphs", graph.file_hash);
+    const CollectedFile& file = corpus->graphs->file_at(index);
+    append_line(text, "graphs", file.hash);
+    copy = corpus->graphs->copy_at(index);
+    index -= static_cast<std::uint32_t>(file.first);
   } else {
     append_line(text, "family", instance.choice.family->name);
   }
   append_line(text, "parameters", instance.parameters);
   append_line(text, "n", instance.n);
-  append_line(text, "index", graph.index);
-  if (graph.copy > 0) append_line(text, "copy", graph.copy);
+  append_line(text, "index", index);
+  if (copy > 0) append_line(text, "copy", copy);
   return text;
 }
 

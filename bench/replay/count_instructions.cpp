@@ -5,6 +5,7 @@
 
 #include <malloc.h>
 
+#include <boost/scope_exit.hpp>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
@@ -43,22 +44,6 @@ struct DrawingCounts {
   // of its last: the estimate of kcachegrind. The cache is the same on every machine: 32 KB of
   // instructions and 32 KB of data, 8 MB behind both.
   std::int64_t estimated_cycles = -1;
-};
-
-// A folder that is removed when it is no longer used.
-class ScratchFolder {
- public:
-  ScratchFolder() = default;
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::string file(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_ = new_temporary_folder("ar3d-callgrind");
 };
 
 // What a drawing costs must not depend on those before it: all that they free becomes one piece of
@@ -127,7 +112,7 @@ std::vector<DrawingCounts> parts_of(const std::string& path) {
 
 // Writes down what is to be drawn, and graphs of files beside it.
 void write_orders(const std::vector<const RunRecord*>& rows, const StudyOrigin& origin,
-                  const ScratchFolder& scratch, const std::string& path) {
+                  const std::string& folder, const std::string& path) {
   std::ofstream orders(path);
   std::string last_hash, last_file;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -137,7 +122,7 @@ void write_orders(const std::vector<const RunRecord*>& rows, const StudyOrigin& 
     if (instance.choice.corpus) {
       if (row.graph_hash != last_hash) {
         last_hash = row.graph_hash;
-        last_file = scratch.file(fmt::format("{}.s6", i));
+        last_file = fmt::format("{}/{}.s6", folder, i);
         write_graphs({graph_of(instance)}, find_graph_format("sparse6"), last_file);
       }
       family = std::string(kFileFamily) + last_file;
@@ -175,9 +160,13 @@ RunRecord order_of(const std::string& line) {
 std::vector<DrawingCounts> count_drawings(const std::vector<const RunRecord*>& rows,
                                           const StudyOrigin& origin) {
   if (const std::string problem = counting_problem(); !problem.empty()) throw InputError(problem);
-  const ScratchFolder scratch;
-  const std::string orders = scratch.file("orders"), output = scratch.file("counts");
-  write_orders(rows, origin, scratch, orders);
+  const std::string folder = new_temporary_folder("ar3d-callgrind");
+  BOOST_SCOPE_EXIT_ALL(&) {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+  };
+  const std::string orders = folder + "/orders", output = folder + "/counts";
+  write_orders(rows, origin, folder, orders);
   double limit_s = 600;  // a generous one: only a valgrind that hangs needs that long
   for (const RunRecord* row : rows) limit_s += 1 + 0.1 * static_cast<double>(row->n);
   const int exit_code =

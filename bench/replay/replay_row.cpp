@@ -91,7 +91,7 @@ Drawing redrawn(const RunRecord& row, const StudyOrigin& origin) {
   const Graph graph = graph_of(instance);
   const AlgorithmChoice& choice = instance.runs.front().choice;
   if (!choice.program) return draw(*choice.algorithm, graph, choice.options);
-  return ExternalDrawer().draw(*choice.program, choice.options, graph).drawing;
+  return ExternalDrawer().draw(*choice.program, choice.options, graph);
 }
 
 RunRecord replayed(const RunRecord& row, const StudyOrigin& origin) {
@@ -129,10 +129,9 @@ SelfCheck selfcheck(const std::vector<RunRecord>& rows, const std::vector<std::s
   SelfCheck check;
   for (const std::size_t place : places) {
     const RunRecord now = replayed(rows[place], origin);
-    ++check.replayed;
     if (now.status == RunStatus::violated) ++check.violated;
     std::vector<std::string> columns = differing_columns(rows[place], now);
-    if (!columns.empty()) check.irreproducible.push_back({place, std::move(columns)});
+    if (!columns.empty()) check.irreproducible.emplace(place, std::move(columns));
     if (after_each) after_each(place);
   }
   return check;

@@ -46,16 +46,11 @@ Drawing redrawn(const RunRecord& row, const StudyOrigin& origin = {});
 /// @throws InputError as plan_of_row.
 RunRecord replayed(const RunRecord& row, const StudyOrigin& origin = {});
 
-/// Describes a row that was made again and did not come out the same.
-struct IrreproducibleRow {
-  std::size_t row = 0;  ///< place in Results::runs
-  std::vector<std::string> columns;
-};
-
+/// Holds how rows that were made again came out.
 struct SelfCheck {
-  std::size_t replayed = 0;
-  std::size_t violated = 0;  ///< of the rows made again
-  std::vector<IrreproducibleRow> irreproducible;
+  std::size_t violated = 0;
+  /// Holds the columns that are not the same, by the row's place in Results::runs.
+  std::map<std::size_t, std::vector<std::string>> irreproducible;
 };
 
 /// Returns the places of `count` rows drawn at random without replacement, increasing; all if there

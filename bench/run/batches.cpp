@@ -113,13 +113,8 @@ double drawn_in_threads(BatchRows& rows, int threads) {
   return std::chrono::duration<double>(last_end - first_start).count();
 }
 
-// A batch as it came out: its rows without verdict, in the order asked for.
-struct MadeBatch {
-  double wall_s = 0;
-  std::vector<RunRecord> rows;
-};
-
-// Draws batches of equal drawings, shared by threads of this process or by ranks.
+// Draws batches of equal drawings, shared by threads of this process or by ranks: gives their rows
+// in the order asked for, with the time of the batch and without verdict.
 class BatchDrawer {
  public:
   BatchDrawer(const StudyPlan& plan, int rank, std::function<bool()> stop)
@@ -141,31 +136,34 @@ class BatchDrawer {
   // Threads take the rows one by one, each thread on a core of its own if there are so many.
   // `rows` are places in the instance's runs; of one algorithm with the same options.
   // @throws InputError if the system starts fewer threads.
-  MadeBatch shared_by_threads(int threads, std::size_t place,
-                              const std::vector<std::size_t>& rows) {
+  std::vector<RunRecord> shared_by_threads(int threads, std::size_t place,
+                                           const std::vector<std::size_t>& rows) {
     RowMaker& maker = maker_for(place);
     const PlannedRun& first = instance_.runs[rows.front()];
     BatchRows batch(*maker.graph(), first.choice, plan_.timing.warm_up,
                     std::vector<RunRecord>(rows.size(), maker.begun(first)), stop_);
     const double wall_s = drawn_in_threads(batch, threads);
-    return {wall_s, batch.take()};
+    std::vector<RunRecord> made = batch.take();
+    for (RunRecord& row : made) row.batch_s = wall_s;
+    return made;
   }
 
   // Of r ranks, rank i draws the i-th row and every r-th after it; ranks stay where mpirun has put
-  // them. Nothing is sent while they draw. Called on rank 0, whose clock wall_s is taken from
-  // (DoneAtOnce). @throws InternalError what went wrong on a rank.
-  MadeBatch shared_by_ranks(Ranks& ranks, int count, std::size_t place,
-                            const std::vector<std::size_t>& rows) {
+  // them. Nothing is sent while they draw. Called on rank 0, whose clock their time is taken
+  // from (DoneAtOnce). @throws InternalError what went wrong on a rank.
+  std::vector<RunRecord> shared_by_ranks(Ranks& ranks, int count, std::size_t place,
+                                         const std::vector<std::size_t>& rows) {
     const std::string job = fmt::format("{} {} {}", count, place, fmt::join(rows, " "));
     const DoneAtOnce done =
         ranks.at_once(count, job, [&](const std::string& text) { return make_ready(text); });
-    MadeBatch made{done.wall_s, std::vector<RunRecord>(rows.size())};
+    std::vector<RunRecord> made(rows.size());
     for (int rank = 0; rank < count; ++rank) {
       const std::string& text = done.told[static_cast<std::size_t>(rank)];
       const std::vector<std::size_t> places = places_of_rank(rank, count, rows.size());
       expect(text.size() == places.size() * run_record_size(), "a rank tells its rows");
       for (std::size_t i = 0; i < places.size(); ++i) {
-        made.rows[places[i]] = load_record(text.data() + i * run_record_size());
+        made[places[i]] = load_record(text.data() + i * run_record_size());
+        made[places[i]].batch_s = done.wall_s;
       }
     }
     return made;
@@ -217,23 +215,21 @@ class BatchDrawer {
   RowMaker maker_;            // prepared for it
 };
 
-// The rows of one drawing in one phase: batch -> threads or ranks -> places of runs.
-struct BatchedDrawing {
-  RunPhase phase = RunPhase::strong;
-  std::map<std::uint32_t, std::map<std::int64_t, std::vector<std::size_t>>> rounds;
-};
+// Places of runs, by threads or ranks.
+using Batches = std::map<std::int64_t, std::vector<std::size_t>>;
 
-std::vector<BatchedDrawing> batched_drawings(const PlannedInstance& instance) {
-  std::vector<BatchedDrawing> drawings;
+// Of each drawing in each phase the batches, by their number.
+std::vector<std::map<std::uint32_t, Batches>> batched_drawings(const PlannedInstance& instance) {
+  std::vector<std::map<std::uint32_t, Batches>> drawings;
   const PlannedRun* previous = nullptr;
   for (std::size_t i = 0; i < instance.runs.size(); ++i) {
     const PlannedRun& run = instance.runs[i];
     if (run.scale < 0) continue;
     const bool same =
         previous != nullptr && run.phase == previous->phase && is_same_drawing(run, *previous);
-    if (!same) drawings.push_back({run.phase, {}});
+    if (!same) drawings.emplace_back();
     previous = &run;
-    drawings.back().rounds[run.batch][run.scale].push_back(i);
+    drawings.back()[run.batch][run.scale].push_back(i);
   }
   return drawings;
 }
@@ -247,20 +243,18 @@ class InstanceBatches {
       : instance_(instance), place_(place), session_(session), drawer_(drawer) {}
 
   void run() {
-    for (const BatchedDrawing& drawing : batched_drawings(instance_)) {
+    for (const auto& rounds : batched_drawings(instance_)) {
       std::optional<RunRecord> reference;
-      for (const auto& [number, batches] : drawing.rounds) {
+      for (const auto& [number, batches] : rounds) {
         if (session_.stopped()) return;
         if (!any_wanted(batches)) continue;
         if (!reference) reference = certified(instance_.runs[batches.begin()->second.front()]);
-        run_round(drawing.phase, batches, *reference);
+        run_round(batches, *reference);
       }
     }
   }
 
  private:
-  using Batches = std::map<std::int64_t, std::vector<std::size_t>>;
-
   bool any_wanted(const Batches& batches) const {
     return std::any_of(batches.begin(), batches.end(), [&](const auto& batch) {
       return std::any_of(batch.second.begin(), batch.second.end(),
@@ -274,7 +268,8 @@ class InstanceBatches {
     return drawer_.maker_for(place_).make_row(run);
   }
 
-  void run_round(RunPhase phase, const Batches& batches, const RunRecord& reference) {
+  void run_round(const Batches& batches, const RunRecord& reference) {
+    const RunPhase phase = instance_.runs[batches.begin()->second.front()].phase;
     double single_s = kMissing;
     for (const auto& [scale, rows] : batches) {
       if (session_.stopped()) return;
@@ -284,26 +279,25 @@ class InstanceBatches {
         }
         continue;
       }
-      MadeBatch made = drawn(phase, static_cast<int>(scale), rows);
+      std::vector<RunRecord> made = drawn(phase, static_cast<int>(scale), rows);
       if (session_.stopped()) return;  // it may not have been drawn to its end
-      if (scale == 1) single_s = made.wall_s;
+      if (scale == 1) single_s = made.front().batch_s;
       const double ideal_s = is_strong(phase) ? single_s / static_cast<double>(scale) : single_s;
       for (std::size_t i = 0; i < rows.size(); ++i) {
         const PlannedRun& run = instance_.runs[rows[i]];
-        RunRecord& row = made.rows[i];
+        RunRecord& row = made[i];
         row.row_key = run.row_key;
         row.repetition = run.repetition;
         row.concurrency = scale;
-        row.batch_s = made.wall_s;
         row.ideal_batch_s = ideal_s;
-        row.efficiency = ideal_s / made.wall_s;
+        row.efficiency = ideal_s / row.batch_s;
         take_over_certificate(reference, row);
         emit(run, row);
       }
     }
   }
 
-  MadeBatch drawn(RunPhase phase, int scale, const std::vector<std::size_t>& rows) {
+  std::vector<RunRecord> drawn(RunPhase phase, int scale, const std::vector<std::size_t>& rows) {
     if (!is_over_ranks(phase)) return drawer_.shared_by_threads(scale, place_, rows);
     Ranks alone;
     Ranks* const ranks = session_.policy().ranks;

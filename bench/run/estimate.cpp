@@ -9,6 +9,7 @@
 #include <set>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/instruments.h"
@@ -27,28 +28,23 @@ std::uint64_t calibration_size(std::uint64_t largest) {
   return std::min(largest, std::clamp(largest / 30, kUsual, kMost));
 }
 
-// value(n) = value at the larger calibration size * (n / that size)^exponent.
-struct PowerLaw {
-  double size = 1;
-  double value = 0;
-  double exponent = 1;
-  double operator()(std::uint64_t n) const {
-    return value * std::pow(static_cast<double>(std::max<std::uint64_t>(n, 1)) / size, exponent);
-  }
-};
+using Law = std::function<double(std::uint64_t n)>;
 
-PowerLaw law_through(double n1, double value1, double n2, double value2) {
-  PowerLaw law{std::max(n2, 1.0), value2, 1};
+// Value at the larger calibration size * (n / that size)^exponent.
+Law law_through(double n1, double value1, double n2, double value2) {
+  double exponent = 1;
   if (n2 > n1 && value1 > 0 && value2 > 0) {
-    law.exponent = std::clamp(std::log(value2 / value1) / std::log(n2 / n1), 1.0, 2.5);
+    exponent = std::clamp(std::log(value2 / value1) / std::log(n2 / n1), 1.0, 2.5);
   }
-  return law;
+  return [=, size = std::max(n2, 1.0)](std::uint64_t n) {
+    return value2 * std::pow(static_cast<double>(std::max<std::uint64_t>(n, 1)) / size, exponent);
+  };
 }
 
 struct CostModel {
   bool is_known = false;
-  PowerLaw row_s;
-  PowerLaw draw_s;
+  Law row_s = [](std::uint64_t) { return 0.0; };
+  Law draw_s = row_s;
   double bytes_per_vertex = 0;
 };
 
@@ -90,8 +86,8 @@ Measured measured_here(const PlannedInstance& instance, const PlannedRun& run,
   return best;
 }
 
-std::string passed(StepEnd end, const Budget& budget, std::uint64_t n) {
-  if (end == StepEnd::out_of_time) {
+std::string passed(RunStatus end, const Budget& budget, std::uint64_t n) {
+  if (end == RunStatus::timeout) {
     return fmt::format("twice its limit: budget.row_time_s gives {:.3g} s",
                        (*budget.row_time_s)(n));
   }
@@ -112,17 +108,18 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
     instance.index = corpus->graphs->place(corpus->graphs->first_of_size(requested_n, limit));
   }
   const std::uint64_t n = like.choice.family->nearest_n(requested_n, like.choice.parameters);
-  StepLimits limits{.cpu_s = {}, .memory_bytes = available_memory()};
-  if (budget.row_time_s) limits.cpu_s = 2 * (*budget.row_time_s)(n) + 1;
+  std::optional<double> cpu_s;
+  double memory_bytes = available_memory();
+  if (budget.row_time_s) cpu_s = 2 * (*budget.row_time_s)(n) + 1;
   if (budget.row_memory_bytes) {
-    limits.memory_bytes = std::min(*limits.memory_bytes, 2 * (*budget.row_memory_bytes)(n));
+    memory_bytes = std::min(memory_bytes, 2 * (*budget.row_memory_bytes)(n));
   }
   Measured measured;
   static_assert(std::is_trivially_copyable_v<Measured>);
-  const StepEnd end = run_within(limits, {reinterpret_cast<char*>(&measured), sizeof measured},
-                                 [&] { measured = measured_here(instance, run, budget); });
-  if (end == StepEnd::done) return measured;
-  if (end == StepEnd::failed) return {};  // the row will say why
+  const RunStatus end = run_within(cpu_s, memory_bytes, bytes_in(measured),
+                                   [&] { measured = measured_here(instance, run, budget); });
+  if (end == RunStatus::ok) return measured;
+  if (end == RunStatus::crashed) return {};  // the row will say why
   throw InputError(fmt::format("{} {}n={} with {} {} is impossible: planning it passed {}",
                                like.choice.family->name,
                                like.parameters.empty() ? "" : like.parameters + " ", n,

@@ -102,7 +102,7 @@ RunRecord instance_row(const PlannedInstance& instance) {
   run.seed = instance.seed;
   if (const auto& corpus = instance.choice.corpus) {
     run.graph_name = corpus->graphs->graph_name(instance.index);
-    run.group = corpus->graphs->group(instance.index);
+    run.group = corpus->graphs->file_at(instance.index).group;
   }
   return run;
 }
@@ -199,10 +199,7 @@ Drawing RowMaker::draw_timed(const PlannedRun& planned, const RowRequest& reques
       drawer_.draw(*choice.program, choice.options, *graph_);
     }
     run.warm_ups = request.warm_ups;
-    ExternalDrawing made = drawer_.draw(*choice.program, choice.options, *graph_);
-    run.wall_s = made.wall_s;
-    run.cpu_s = made.cpu_s;
-    return std::move(made.drawing);
+    return drawer_.draw(*choice.program, choice.options, *graph_, &run);
   }
   for (std::uint32_t i = 0; i < request.warm_ups; ++i) {
     draw(*choice.algorithm, *graph_, choice.options);
@@ -268,10 +265,10 @@ Drawing timed_drawing(const Graph& graph, const AlgorithmChoice& choice, Hardwar
   Drawing drawing = draw(*choice.algorithm, graph, choice.options);
   run.wall_s = time.wall_s();
   run.cpu_s = cpu.cpu_s();
-  const CountedEvents events = counters.stop();
-  run.instructions = events.instructions;
-  run.cycles = events.cycles;
-  run.cache_misses = events.cache_misses;
+  const auto [instructions, cycles, cache_misses] = counters.stop();
+  run.instructions = instructions;
+  run.cycles = cycles;
+  run.cache_misses = cache_misses;
   return drawing;
 }
 

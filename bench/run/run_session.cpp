@@ -102,7 +102,7 @@ void require_possible(const StudyPlan& plan, const SessionPolicy& policy) {
   require_ranks(plan, policy.ranks != nullptr ? policy.ranks->size() : 1);
 }
 
-SessionEnd run_session(const StudyPlan& plan, const SessionPolicy& policy, RowSink& sink) {
+void run_session(const StudyPlan& plan, const SessionPolicy& policy, const RowSink& sink) {
   require_possible(plan, policy);
   StudySession session(plan, policy, sink);
   work_off(*metrics_source(session),
@@ -112,10 +112,12 @@ SessionEnd run_session(const StudyPlan& plan, const SessionPolicy& policy, RowSi
     const std::unique_ptr<RowSource> rounds = timing_source(session);
     work_off(*rounds,
              {.workers = static_cast<int>(workers), .elsewhere = 0, .cores = cores_for(workers)});
-    for (const EnvironmentEntry& entry : rounds->ending()) sink.note(entry);
+    for (const EnvironmentEntry& entry : rounds->ending()) {
+      if (sink.note) sink.note(entry);
+    }
   }
   if (policy.timed_phases && !session.stopped()) run_batches(session);
-  return session.end();
+  session.end();
 }
 
 }  // namespace ar3d

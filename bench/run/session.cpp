@@ -4,7 +4,6 @@
 
 #include <tuple>
 
-#include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/processes.h"
 
@@ -23,7 +22,7 @@ std::string duration(double seconds) {
 std::pair<std::size_t, double> remaining_rows(const StudyPlan& plan, const RowSink& sink) {
   std::size_t rows = 0;
   double work = 0;
-  if (!sink.has_any()) {  // without session a million instances for nothing
+  if (!sink.has) {  // without session a million instances for nothing
     for (const PlannedBlock& block : plan.instances.blocks()) {
       const std::size_t more = block.count * required_runs(block.first);
       rows += more;
@@ -112,16 +111,11 @@ int workers_for(int asked, int ranks) {
   return ranks > 1 ? 1 : static_cast<int>(available_threads());
 }
 
-RunRecord RowSink::read(const std::string& row_key) const {
-  throw InternalError("internal error: row " + row_key + " was never there");
-}
-
-StudySession::StudySession(const StudyPlan& plan, const SessionPolicy& policy, RowSink& sink)
+StudySession::StudySession(const StudyPlan& plan, const SessionPolicy& policy, const RowSink& sink)
     : plan_(plan),
       policy_(policy),
       sink_(sink),
       progress_(std::make_unique<Progress>(plan, policy, sink)),
-      has_any_(sink.has_any()),
       keeps_failures_(has_run(plan, [](RunPhase phase) { return phase != RunPhase::metrics; })) {}
 
 StudySession::~StudySession() { progress_->finish(); }
@@ -167,11 +161,9 @@ std::optional<RunRecord> StudySession::failure(const PlannedInstance& instance,
   return std::nullopt;
 }
 
-SessionEnd StudySession::end() {
+void StudySession::end() {
   progress_->finish();
   if (sink_failure_) std::rethrow_exception(sink_failure_);
-  if (is_interrupted()) return SessionEnd::stopped;
-  return is_budget_spent() ? SessionEnd::budget_spent : SessionEnd::complete;
 }
 
 }  // namespace ar3d

@@ -43,39 +43,30 @@ struct SessionPolicy {
 int workers_for(int asked, int ranks = 1);
 
 /// Holds where the rows of a plan go, and which are there already.
-class RowSink {
- public:
-  virtual ~RowSink() = default;
-  /// Returns false if it has no rows, and then is not asked for one.
-  virtual bool has_any() const { return false; }
-  /// Gives true for a row that is not to be made. Called by several threads at once, as read() is.
-  virtual bool has(const std::string& row_key) const {
-    (void)row_key;
-    return false;
-  }
-  /// Returns a row that it has.
-  virtual RunRecord read(const std::string& row_key) const;
+struct RowSink {
   /// Takes a new row and its place in the plan, one call at a time. What it throws ends the session
   /// and is thrown again there.
-  virtual void add(std::size_t place, const RunRecord& row) = 0;
-  /// Takes what is to be known of the session, for its environment.
-  virtual void note(const EnvironmentEntry&) {}
+  std::function<void(std::size_t place, const RunRecord& row)> add;
+  /// Takes what is to be known of the session, for its environment; empty: nobody wants to know.
+  std::function<void(const EnvironmentEntry&)> note = {};
+  /// Gives true for a row that is not to be made; empty: there is none. Called by several threads at
+  /// once, as `read` is.
+  std::function<bool(const std::string& row_key)> has = {};
+  /// Returns a row that is there.
+  std::function<RunRecord(const std::string& row_key)> read = {};
 };
-
-/// Tells why run_session came back.
-enum class SessionEnd { complete, stopped, budget_spent };
 
 /// Holds what all phases of one session share: which rows are wanted, where they go, when to stop.
 /// All references outlive it; its functions are called by several threads at once.
 class StudySession {
  public:
-  StudySession(const StudyPlan& plan, const SessionPolicy& policy, RowSink& sink);
+  StudySession(const StudyPlan& plan, const SessionPolicy& policy, const RowSink& sink);
   ~StudySession();
 
   const StudyPlan& plan() const { return plan_; }
   const SessionPolicy& policy() const { return policy_; }
 
-  bool wants(const PlannedRun& run) const { return !has_any_ || !sink_.has(run.row_key); }
+  bool wants(const PlannedRun& run) const { return !sink_.has || !sink_.has(run.row_key); }
   /// Returns the row of a run that is not wanted, since it is there.
   RunRecord known(const PlannedRun& run) const { return sink_.read(run.row_key); }
 
@@ -92,7 +83,7 @@ class StudySession {
   std::optional<RunRecord> failure(const PlannedInstance& instance, const PlannedRun& timed);
 
   /// Ends the session. @throws what the sink threw.
-  SessionEnd end();
+  void end();
 
  private:
   class Progress;
@@ -100,10 +91,9 @@ class StudySession {
 
   const StudyPlan& plan_;
   const SessionPolicy& policy_;
-  RowSink& sink_;
+  const RowSink& sink_;
   const std::unique_ptr<Progress> progress_;
   Stopwatch time_;
-  const bool has_any_;
   const bool keeps_failures_;  // only where there are phases that ask
   std::mutex mutex_;
   std::unordered_map<std::string, RunRecord> failed_;  // by row key
@@ -162,7 +152,7 @@ void require_possible(const StudyPlan& plan, const SessionPolicy& policy);
 /// and weak scaling; keeps none of them. What goes wrong with a row is its status. In strong and
 /// weak batches rows are not isolated; they are only made of drawings that came out before.
 /// @throws InputError as require_possible; whatever the sink throws.
-SessionEnd run_session(const StudyPlan& plan, const SessionPolicy& policy, RowSink& sink);
+void run_session(const StudyPlan& plan, const SessionPolicy& policy, const RowSink& sink);
 
 /// Returns whether there are rounds enough: how far the median of the first half of the values is
 /// from that of the second (of an even number the upper one). Infinite for fewer than two.

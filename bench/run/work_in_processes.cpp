@@ -11,6 +11,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <boost/scope_exit.hpp>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -49,26 +50,16 @@ long long oom_kills() {
   return 0;
 }
 
-// Lets this process map at most so much more than now, for its lifetime.
-class AddressSpaceLimit {
- public:
-  explicit AddressSpaceLimit(const std::optional<double>& bytes) {
-    if (!bytes || getrlimit(RLIMIT_AS, &before_) != 0) return;
-    rlimit limit = before_;
-    const double sum = address_space_bytes() + *bytes;
-    if (sum < 9e18) limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(sum));
-    set_ = setrlimit(RLIMIT_AS, &limit) == 0;
-  }
-  ~AddressSpaceLimit() {
-    if (set_) setrlimit(RLIMIT_AS, &before_);
-  }
-  AddressSpaceLimit(const AddressSpaceLimit&) = delete;
-  AddressSpaceLimit& operator=(const AddressSpaceLimit&) = delete;
-
- private:
-  bool set_ = false;
-  rlimit before_{};
-};
+// Lets this process map at most so much more than now. @return the limit before.
+rlimit limit_address_space(double bytes) {
+  rlimit before{RLIM_INFINITY, RLIM_INFINITY};
+  getrlimit(RLIMIT_AS, &before);
+  rlimit limit = before;
+  const double sum = address_space_bytes() + bytes;
+  if (sum < 9e18) limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(sum));
+  setrlimit(RLIMIT_AS, &limit);
+  return before;
+}
 
 std::vector<int> descriptors_of_graphs(const StudyPlan& plan) {
   std::vector<int> needed;
@@ -113,9 +104,13 @@ void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) 
     const PlannedRun& planned = instance.runs.at(order.run);
     RunRecord run;
     {
-      std::optional<double> limit;
-      if (plan.budget.row_memory_bytes) limit = (*plan.budget.row_memory_bytes)(instance.n);
-      const AddressSpaceLimit memory(limit);
+      std::optional<rlimit> before;
+      if (const auto& limit = plan.budget.row_memory_bytes) {
+        before = limit_address_space((*limit)(instance.n));
+      }
+      BOOST_SCOPE_EXIT_ALL(&) {
+        if (before) setrlimit(RLIMIT_AS, &*before);
+      };
       if (is_new) maker.prepare(instance);
       prepared = order.place;
       if (!tell(socket, kBegun, maker.begun(planned))) return;

@@ -31,9 +31,9 @@ Graph neighbour(const Graph& graph, RandomStream& random) {
 
 class Hunter {
  public:
-  Hunter(const Subject& subject, const RatioRule& rule, const HuntOptions& options,
+  Hunter(const Subject& subject, const HuntOptions& options,
          const std::function<void(const HuntResult&)>& progress)
-      : subject_(subject), rule_(rule), options_(options), progress_(progress) {}
+      : subject_(subject), options_(options), progress_(progress) {}
 
   HuntResult run() {
     while (!is_over()) climb_from_new_start();
@@ -81,7 +81,7 @@ class Hunter {
   }
 
   Trial evaluate(Graph graph) {
-    Trial trial = try_graph(subject_, rule_, std::move(graph));
+    Trial trial = try_graph(subject_, std::move(graph));
     ++result_.evaluations;
     const bool is_first = result_.evaluations == 1;
     if (is_first || !trial.failure.empty() || trial.ratio > result_.best.ratio) {
@@ -95,7 +95,6 @@ class Hunter {
   }
 
   const Subject& subject_;
-  RatioRule rule_;
   const HuntOptions& options_;
   const std::function<void(const HuntResult&)>& progress_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
@@ -177,10 +176,10 @@ bool remove_chunks(const RemovablePart& parts, const std::function<bool(const Gr
 
 }  // namespace
 
-HuntResult hunt(const Subject& subject, const RatioRule& rule, const HuntOptions& options,
+HuntResult hunt(const Subject& subject, const HuntOptions& options,
                 const std::function<void(const HuntResult&)>& progress) {
   expect(!options.families.empty(), "a hunt has a family to start from");
-  return Hunter(subject, rule, options, progress).run();
+  return Hunter(subject, options, progress).run();
 }
 
 std::vector<FamilyChoice> fitting_families(const Algorithm& algorithm, std::uint64_t n) {

@@ -35,7 +35,7 @@ struct HuntResult {
 /// `seconds` ends it.
 /// @param progress  called at every improvement of the best; may be empty.
 /// @throws InputError if no graph of a family, or of a corpus, can be drawn.
-HuntResult hunt(const Subject& subject, const RatioRule& rule, const HuntOptions& options,
+HuntResult hunt(const Subject& subject, const HuntOptions& options,
                 const std::function<void(const HuntResult&)>& progress = {});
 
 /// Returns all families of the catalogue whose graphs (of about n vertices) the algorithm draws.

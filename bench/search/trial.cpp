@@ -19,21 +19,20 @@ bool has_edge(const Graph& graph, Vertex u, Vertex v) {
 
 namespace {
 
-std::array<double, 3> bound_of(const Subject& subject, const RatioRule& rule, const Graph& graph,
-                               const Drawing& drawing) {
+std::array<double, 3> bound_of(const Subject& subject, const Graph& graph, const Drawing& drawing) {
   std::array<double, 3> bound{};
   if (graph.num_vertices() == 0) return bound;
   const Algorithm& algorithm = *subject.choice.algorithm;
   if (algorithm.guarantee.claim == Claim::measured) {
     throw InputError(fmt::format("{} promises no box to search against", algorithm.name));
   }
-  if (rule.against == Against::instance && !drawing.instance_bound) {
+  if (subject.against_instance && !drawing.instance_bound) {
     throw InputError(fmt::format("{} states no bound for the instance", algorithm.name));
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    bound[axis] = rule.against == Against::theorem
-                      ? algorithm.guarantee.bound.axes[axis].value(graph.num_vertices())
-                      : static_cast<double>((*drawing.instance_bound)[axis]);
+    bound[axis] = subject.against_instance
+                      ? static_cast<double>((*drawing.instance_bound)[axis])
+                      : algorithm.guarantee.bound.axes[axis].value(graph.num_vertices());
   }
   return bound;
 }
@@ -141,24 +140,23 @@ Drawing seed_passed_bound(const Graph& graph, const Drawing& drawing, const Guar
 
 Drawing draw_subject(const Subject& subject, const Graph& graph) {
   const Algorithm& algorithm = *subject.choice.algorithm;
-  Drawing drawing =
-      subject.choice.program
-          ? subject.drawer->draw(*subject.choice.program, subject.choice.options, graph).drawing
-          : draw(algorithm, graph, subject.choice.options);
+  Drawing drawing = subject.choice.program ? subject.drawer->draw(*subject.choice.program,
+                                                                  subject.choice.options, graph)
+                                           : draw(algorithm, graph, subject.choice.options);
   return subject.fault == nullptr ? drawing
                                   : subject.fault->plant(graph, drawing, algorithm.guarantee);
 }
 
-Trial try_graph(const Subject& subject, const RatioRule& rule, Graph graph) {
+Trial try_graph(const Subject& subject, Graph graph) {
   Trial trial;
   trial.graph = std::move(graph);
   try {
     const Drawing drawing = draw_subject(subject, trial.graph);
     trial.extents = bounding_box(drawing).extents();
-    trial.bound = bound_of(subject, rule, trial.graph, drawing);
+    trial.bound = bound_of(subject, trial.graph, drawing);
     const AlgorithmChoice& choice = subject.choice;
     const bool has_box = !choice.program || choice.algorithm->guarantee.bound.promises_box();
-    trial.ratio = has_box ? ratio_of(trial, rule.measure) : 0;
+    trial.ratio = has_box ? ratio_of(trial, subject.measure) : 0;
     if (choice.program && !choice.program->has_guarantee) return trial;
     const Certificate certificate =
         certify(trial.graph, drawing, subject.choice.algorithm->guarantee);

@@ -34,20 +34,17 @@ const std::vector<SeededFault>& seeded_faults();
 /// @throws InputError naming the unknown fault and the known ones.
 const SeededFault& find_seeded_fault(std::string_view name);
 
+/// Says which share of the bound counts; side: the largest of the three axes.
+enum class BoundShare { side, x, y, z, volume };
+
 /// Holds what is tried on one graph after the other: an algorithm with complete options, or a
-/// program of a study, and a fault if one is seeded.
+/// program of a study, a fault if one is seeded, and which share of which bound counts.
 struct Subject {
   AlgorithmChoice choice;
   const SeededFault* fault = nullptr;
+  BoundShare measure = BoundShare::side;
+  bool against_instance = false;  ///< the bound is the proof's for the graph, else the theorem's
   std::shared_ptr<ExternalDrawer> drawer = {};  ///< where the choice is a program
-};
-
-/// Says which share of the bound counts.
-enum class BoundShare { side, x, y, z, volume };
-enum class Against { theorem, instance };
-struct RatioRule {
-  BoundShare measure = BoundShare::side;  ///< side: the axis of the largest share
-  Against against = Against::theorem;
 };
 
 /// Describes one graph drawn and judged.
@@ -67,7 +64,7 @@ struct Trial {
 Drawing draw_subject(const Subject& subject, const Graph& graph);
 
 /// Draws and certifies; a broken invariant of the algorithm is a failure like a violation.
-/// @throws InputError as above, and if the rule asks for an instance's bound and there is none.
-Trial try_graph(const Subject& subject, const RatioRule& rule, Graph graph);
+/// @throws InputError as above, and if an instance's bound counts and there is none.
+Trial try_graph(const Subject& subject, Graph graph);
 
 }  // namespace ar3d

@@ -19,11 +19,6 @@ constexpr std::int64_t kMaxThreads = 1024;
 
 constexpr std::size_t kMostCombinations = 100000;
 
-bool has_batches(const Sweep& sweep) {
-  const auto has = [](const BatchRules& batches) { return !batches.scales.empty(); };
-  return has(sweep.strong) || has(sweep.weak) || has(sweep.strong_ranks) || has(sweep.weak_ranks);
-}
-
 template <class Is>
 bool any(const Sweep& sweep, Is is) {
   return std::any_of(sweep.algorithms.begin(), sweep.algorithms.end(), is);
@@ -104,12 +99,12 @@ Budget read_budget(const toml::node& node) {
 
 std::vector<Settings> combinations(const std::vector<SettingChoices>& settings) {
   std::vector<Settings> all = {{}};
-  for (const SettingChoices& setting : settings) {
+  for (const auto& [name, values] : settings) {
     std::vector<Settings> longer;
     for (const auto& prefix : all) {
-      for (const std::int64_t value : setting.values) {
+      for (const std::int64_t value : values) {
         longer.push_back(prefix);
-        longer.back().push_back({setting.name, value});
+        longer.back().push_back({name, value});
       }
     }
     if (longer.size() > kMostCombinations) {
@@ -121,7 +116,7 @@ std::vector<Settings> combinations(const std::vector<SettingChoices>& settings) 
 }
 
 void refuse_bad_batches(const toml::node& node, const Sweep& sweep) {
-  if (!has_batches(sweep)) return;
+  if (sweep.batches.empty()) return;
   if (any(sweep, [](const AlgorithmChoice& c) { return c.program != nullptr; })) {
     refuse_toml(node, "strong and weak batches are of the catalogue's algorithms only");
   }

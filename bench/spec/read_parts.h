@@ -35,21 +35,10 @@ BatchRules read_batches(const toml::node& node, const std::string& what,
 TimingRules read_timing_rules(const toml::node& node);
 Budget read_budget(const toml::node& node);
 
-/// Describes one integer setting of a family or an algorithm and the values that it takes in turn.
-struct SettingChoices {
-  std::string name;
-  std::vector<std::int64_t> values;
-};
-
-/// Describes a program of a study's `[[algorithm]]`, with the values that its options take in turn.
-struct ProgramEntry {
-  std::shared_ptr<const ExternalAlgorithm> program;
-  std::vector<SettingChoices> options;
-};
-
+/// Reads a program of a study's `[[algorithm]]`.
 /// @throws InputError "file:line: message" on an unknown or missing key, a value out of range, a
 /// name that an algorithm of the catalogue has, a command whose braces name no option.
-ProgramEntry read_program(const toml::node& node);
+std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node);
 
 /// Returns every combination of the settings, the last one fastest.
 /// @throws InputError if there are more than 100,000.

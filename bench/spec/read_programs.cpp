@@ -82,9 +82,8 @@ std::vector<std::int64_t> option_values(const toml::node& given, const std::stri
 
 }  // namespace
 
-ProgramEntry read_program(const toml::node& node) {
+std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
   ExternalAlgorithm program;
-  ProgramEntry entry;
   Settings first;
   const auto read_name = [&](const toml::node& name, const std::string& key) {
     program.row.name = toml_text(name, key);
@@ -129,14 +128,13 @@ ProgramEntry read_program(const toml::node& node) {
        {"time_limit_s_per_vertex", number_into(program.time_limit_s_per_vertex, 0, 1e6)},
        {"guarantee", read_guarantee_of_program}},
       [&](const toml::node& given, const std::string& option) {
-        entry.options.push_back({option, option_values(given, option, program.command)});
-        const std::int64_t first_value = entry.options.back().values.front();
+        program.choices.emplace_back(option, option_values(given, option, program.command));
+        const std::int64_t first_value = program.choices.back().second.front();
         program.row.options.push_back({option, -kAny - 1, kAny, first_value, "of the program"});
         first.push_back({option, first_value});
       });
   with_place(node, [&] { command_with(program, first); });
-  entry.program = std::make_shared<const ExternalAlgorithm>(std::move(program));
-  return entry;
+  return std::make_shared<const ExternalAlgorithm>(std::move(program));
 }
 
 }  // namespace ar3d

@@ -18,11 +18,19 @@ namespace {
 
 constexpr std::int64_t kMaxN = 4294967294, kMaxCount = 1000000;  // a graph has n < 2^32 - 1
 
+// The program of that name; null if the study has none.
+std::shared_ptr<const ExternalAlgorithm> find_program(const StudySpec& spec,
+                                                      const std::string& name) {
+  const auto at =
+      std::ranges::find(spec.programs, name, [](const auto& program) { return program->row.name; });
+  return at == spec.programs.end() ? nullptr : *at;
+}
+
 class SpecReader {
  public:
   StudySpec read(const std::string& text, const std::string& file) {
     const toml::table root = parse_toml(text, file);
-    StudySpec spec;
+    StudySpec& spec = spec_;
     spec.text = text;
     using Node = const toml::node&;
     using Key = const std::string&;
@@ -41,8 +49,6 @@ class SpecReader {
                       [&](Node programs, Key key) {
                         for (const toml::node* program : toml_list(programs, key))
                           add_program(*program);
-                        for (const ProgramEntry& entry : programs_)
-                          spec.programs.push_back(entry.program);
                       }},
                      {"max_n",
                       [&](Node limits, Key key) {
@@ -58,31 +64,25 @@ class SpecReader {
                         }
                       },
                       true}});
-    return spec;
+    return std::move(spec);
   }
 
  private:
   void add_program(const toml::node& node) {
-    ProgramEntry entry = read_program(node);
-    if (find_program(entry.program->row.name) != nullptr) {
-      refuse_toml(node, fmt::format("a second algorithm '{}'", entry.program->row.name));
+    std::shared_ptr<const ExternalAlgorithm> program = read_program(node);
+    if (find_program(spec_, program->row.name)) {
+      refuse_toml(node, fmt::format("a second algorithm '{}'", program->row.name));
     }
-    programs_.push_back(std::move(entry));
-  }
-  const ProgramEntry* find_program(const std::string& name) const {
-    for (const ProgramEntry& entry : programs_) {
-      if (entry.program->row.name == name) return &entry;
-    }
-    return nullptr;
+    spec_.programs.push_back(std::move(program));
   }
   void require_algorithm(const std::string& name) const {
-    if (find_program(name) == nullptr) catalogue_algorithm(name);
+    if (!find_program(spec_, name)) catalogue_algorithm(name);
   }
   const Algorithm& catalogue_algorithm(const std::string& name) const {
     std::vector<std::string_view> known;
-    for (const ProgramEntry& entry : programs_) known.push_back(entry.program->row.name);
+    for (const auto& program : spec_.programs) known.push_back(program->row.name);
     for (const Algorithm& algorithm : algorithms()) {
-      if (algorithm.name == name || programs_.empty()) return find_algorithm(name);
+      if (algorithm.name == name || spec_.programs.empty()) return find_algorithm(name);
       known.push_back(algorithm.name);
     }
     throw InputError(fmt::format("unknown algorithm '{}'{} (known: {})", printable(name),
@@ -107,9 +107,10 @@ class SpecReader {
     using Key = const std::string&;
     const bool has_graphs = has_toml_key(node, "graphs");
     const bool has_families = !has_graphs || has_toml_key(node, "families");
-    const auto batches_into = [](BatchRules& batches, const char* sharers) {
-      return
-          [&batches, sharers](Node rules, Key key) { batches = read_batches(rules, key, sharers); };
+    const auto batches_of = [&](RunPhase phase) {
+      return [&sweep, phase](Node rules, Key key) {
+        sweep.batches[phase] = read_batches(rules, key, is_over_ranks(phase) ? "ranks" : "threads");
+      };
     };
     const auto read_algorithms = [&](Node algorithms, Key) {
       sweep.algorithms = algorithm_choices(algorithms);
@@ -127,10 +128,10 @@ class SpecReader {
         {"repetitions", into(sweep.repetitions, 1, kMaxCount)},
         {"timed_repetitions",
          [&](Node timed, Key) { sweep.timed = read_timed_repetitions(timed); }},
-        {"strong", batches_into(sweep.strong, "threads")},
-        {"weak", batches_into(sweep.weak, "threads")},
-        {"strong_ranks", batches_into(sweep.strong_ranks, "ranks")},
-        {"weak_ranks", batches_into(sweep.weak_ranks, "ranks")},
+        {"strong", batches_of(RunPhase::strong)},
+        {"weak", batches_of(RunPhase::weak)},
+        {"strong_ranks", batches_of(RunPhase::strong_ranks)},
+        {"weak_ranks", batches_of(RunPhase::weak_ranks)},
         {"include",
          [&](Node include, Key key) {
            toml_list(include, key);  // an empty one would match no cell, or all of them
@@ -173,7 +174,7 @@ class SpecReader {
                     [&](const toml::node& given, const std::string& setting) {
                       settings.push_back({setting, {}});
                       for (const toml::node* value : toml_list(given, setting)) {
-                        into(settings.back().values.emplace_back(),
+                        into(settings.back().second.emplace_back(),
                              std::numeric_limits<std::int64_t>::min(),
                              std::numeric_limits<std::int64_t>::max())(*value, setting);
                       }
@@ -213,8 +214,8 @@ class SpecReader {
         }
         continue;
       }
-      if (const ProgramEntry* const program = find_program(name)) {
-        with_place(*entry, [&] { add_choices(*program, settings, choices); });
+      if (const auto program = find_program(spec_, name)) {
+        with_place(*entry, [&] { add_choices(program, settings, choices); });
         continue;
       }
       with_place(*entry, [&] {
@@ -228,16 +229,15 @@ class SpecReader {
   }
 
   // Options that the entry does not name take the values of the program's own table.
-  static void add_choices(const ProgramEntry& entry, std::vector<SettingChoices> settings,
+  static void add_choices(const std::shared_ptr<const ExternalAlgorithm>& program,
+                          std::vector<SettingChoices> settings,
                           std::vector<AlgorithmChoice>& choices) {
-    for (const SettingChoices& option : entry.options) {
-      const bool is_given = std::ranges::any_of(
-          settings, [&](const SettingChoices& setting) { return setting.name == option.name; });
-      if (!is_given) settings.push_back(option);
+    for (const SettingChoices& option : program->choices) {
+      const auto given = std::ranges::find(settings, option.first, &SettingChoices::first);
+      if (given == settings.end()) settings.push_back(option);
     }
-    const Algorithm& row = entry.program->row;
     for (const Settings& values : combinations(settings)) {
-      choices.push_back({&row, complete_options(row, values), entry.program});
+      choices.push_back({&program->row, complete_options(program->row, values), program});
     }
   }
 
@@ -297,7 +297,7 @@ class SpecReader {
     return patterns;
   }
 
-  std::vector<ProgramEntry> programs_;
+  StudySpec spec_;
 };
 
 std::string read_text_file(const std::string& path) {
@@ -354,10 +354,8 @@ StudySpec load_study(const std::string& name_or_path) {
 
 AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
                                  const Settings& options) {
-  for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
-    if (program->row.name == name) {
-      return {&program->row, complete_options(program->row, options), program, spec.certificate};
-    }
+  if (const auto program = find_program(spec, name)) {
+    return {&program->row, complete_options(program->row, options), program, spec.certificate};
   }
   const Algorithm& algorithm = find_algorithm(name);
   return {&algorithm, complete_options(algorithm, options), nullptr, spec.certificate};

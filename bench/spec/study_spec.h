@@ -31,7 +31,7 @@ struct TimedRepetitions {
 /// Describes batches of equal drawings shared by 1, ... threads or ranks. strong: `drawings` in
 /// all, weak: `drawings` for each of them.
 struct BatchRules {
-  std::vector<std::uint32_t> scales;  ///< how many share; from 1 on, increasing; empty: no batches
+  std::vector<std::uint32_t> scales;  ///< how many share; from 1 on, increasing
   std::uint32_t drawings = 1;
   std::uint32_t repetitions = 1;
 };
@@ -119,14 +119,11 @@ struct Sweep {
   std::vector<GraphsEntry> graphs;
   std::vector<std::uint64_t> sizes;         ///< increasing
   std::vector<AlgorithmChoice> algorithms;  ///< at every level, by every certificate
-  std::uint32_t instances = 1;       ///< where the graph depends on the seed; others have one
-  std::uint32_t repetitions = 1;     ///< of every drawing in the metrics phase
-  TimedRepetitions timed;            ///< of every drawing in the timing phase; none by default
-  BatchRules strong;                 ///< of every drawing, shared by threads; none by default
-  BatchRules weak;                   ///< of every drawing, shared by threads; none by default
-  BatchRules strong_ranks;           ///< of every drawing, shared by ranks; none by default
-  BatchRules weak_ranks;             ///< of every drawing, shared by ranks; none by default
-  std::vector<CellPattern> include;  ///< if not empty, a cell has to match one of these
+  std::uint32_t instances = 1;    ///< where the graph depends on the seed; others have one
+  std::uint32_t repetitions = 1;  ///< of every drawing in the metrics phase
+  TimedRepetitions timed;         ///< of every drawing in the timing phase; none by default
+  std::map<RunPhase, BatchRules> batches;  ///< of every drawing, by phase
+  std::vector<CellPattern> include;        ///< if not empty, a cell has to match one of these
   std::vector<CellPattern> exclude;
 };
 

@@ -39,20 +39,21 @@ for n, edges in graphs():
 )" + answer);
   }
   StudySpec study(const std::string& path, const std::string& more = "",
-                  const std::string& sweep = "") const {
+                  const std::string& sweep = "", const std::string& algorithms = "'mine'",
+                  const std::string& words = "") const {
     return parse_study(fmt::format(R"(study = "t"
 [[algorithm]]
 name = "mine"
-command = ["/usr/bin/python3", "{}"]
+command = ["/usr/bin/python3", "{}"{}]
 time_limit_s = 2
 {}
 [[sweep]]
 families = "cycle"
 sizes = [5, 6, 7]
-algorithms = "mine"
+algorithms = {}
 {}
 )",
-                                   path, more, sweep),
+                                   path, words, more, algorithms, sweep),
                        "t.toml");
   }
   static std::vector<RunRecord> rows(const StudySpec& spec) {
@@ -104,23 +105,13 @@ TEST_F(Programs, AGuaranteeIsJudged) {
 TEST_F(Programs, OptionsGoIntoTheCommand) {
   const std::string path = program("options.py", R"(
     say(json.dumps({"vertices": [[i * int(sys.argv[1]), i * i, 0] for i in range(n)]}) + "\n"))");
-  StudySpec spec = parse_study(fmt::format(R"(study = "t"
-[[algorithm]]
-name = "mine"
-command = ["/usr/bin/python3", "{}", "{{step}}"]
-step = [2, 30]
-[[sweep]]
-families = "path"
-sizes = 4
-algorithms = ["mine", {{ algorithm = "mine", step = 7 }}, "grid"]
-)",
-                                           path),
-                               "t.toml");
+  const StudySpec spec = study(path, "step = [2, 30]", "include = { to = 5 }",
+                               "['mine', { algorithm = 'mine', step = 7 }, 'grid']", ", '{step}'");
   std::vector<std::string> told;
   for (const RunRecord& run : rows(spec)) {
     told.push_back(fmt::format("{} {} {}", run.algorithm, run.options, run.extents[0]));
   }
-  EXPECT_THAT(told, ElementsAre("mine step=2 6", "mine step=30 90", "mine step=7 21",
+  EXPECT_THAT(told, ElementsAre("mine step=2 8", "mine step=30 120", "mine step=7 28",
                                 StartsWith("grid effort=1")));
 }
 
@@ -184,18 +175,8 @@ TEST_F(Programs, LateSecondLinesCostRowsOfTheSameSizeToo) {
     time.sleep(0.02)
     say(json.dumps({"vertices": [[0, 0, 0]] * n}) + "\n")
 )");
-  const StudySpec spec = parse_study(fmt::format(R"(study = "t"
-[[algorithm]]
-name = "mine"
-command = ["/usr/bin/python3", "{}"]
-[[sweep]]
-families = "cycle"
-sizes = 5
-algorithms = ["mine", "grid"]
-repetitions = 3
-)",
-                                                 path),
-                                     "t.toml");
+  const StudySpec spec =
+      study(path, "", "repetitions = 3\ninclude = { to = 5 }", "['mine', 'grid']");
   for (const RunRecord& run : rows(spec)) {
     EXPECT_EQ(to_string(run.status), std::string(run.algorithm == "grid" ? "ok" : "crashed"));
   }

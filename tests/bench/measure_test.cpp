@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/processes.h"
@@ -70,37 +71,29 @@ TEST(Environment, AffinityIsThatOfTheProcess) {
   EXPECT_EQ(allowed_cores(), before) << "the pinning ends with its lifetime";
 }
 
-StepEnd end_of(const StepLimits& limits, const std::function<void(int&)>& step, int& value) {
-  return run_within(limits, {reinterpret_cast<char*>(&value), sizeof value}, [&] { step(value); });
-}
-
-TEST(LimitedProcess, BringsBackWhatTheStepWrote) {
+TEST(LimitedProcess, BringsBackWhatTheStepWroteAndTellsHowItEnded) {
   int value = 1;
-  EXPECT_EQ(end_of(
-                {}, [](int& to) { to = 42; }, value),
-            StepEnd::done);
+  const auto end_of = [&](const std::function<void()>& step, std::optional<double> cpu_s = {},
+                          std::optional<double> memory_bytes = {}) {
+    return run_within(cpu_s, memory_bytes, bytes_in(value), step);
+  };
+  EXPECT_EQ(end_of([&] { value = 42; }), RunStatus::ok);
   EXPECT_EQ(value, 42);
   EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "no child is left";
-}
-
-TEST(LimitedProcess, TellsHowAStepEnded) {
-  int value = 1;
-  const auto forever = [](int& to) {
-    for (std::atomic<int> i = 0; i >= 0; i = (i + 1) & 7) to = i;
+  const auto forever = [&] {
+    for (std::atomic<int> i = 0; i >= 0; i = (i + 1) & 7) value = i;
   };
-  EXPECT_EQ(end_of({.cpu_s = 0.5, .memory_bytes = {}}, forever, value), StepEnd::out_of_time);
-  const auto crashes = [](int&) { std::abort(); };
-  EXPECT_EQ(end_of({}, crashes, value), StepEnd::failed);
-  const auto throws = [](int&) { throw std::runtime_error("no"); };
-  EXPECT_EQ(end_of({}, throws, value), StepEnd::failed);
+  EXPECT_EQ(end_of(forever, 0.5), RunStatus::timeout);
+  EXPECT_EQ(end_of([] { std::abort(); }), RunStatus::crashed);
+  EXPECT_EQ(end_of([] { throw std::runtime_error("no"); }), RunStatus::crashed);
   if (std::string_view(build_kind()) == "sanitised") return;
-  const auto large = [](int& to) {
+  const auto large = [&] {
     std::vector<std::vector<char>> pieces;
     for (int i = 0; i < 64; ++i) pieces.emplace_back(std::size_t{16} << 20, 'x');
-    to = static_cast<unsigned char>(pieces.back().back());
+    value = static_cast<unsigned char>(pieces.back().back());
   };
-  EXPECT_EQ(end_of({.cpu_s = {}, .memory_bytes = 1e8}, large, value), StepEnd::out_of_memory);
-  EXPECT_EQ(end_of({.cpu_s = {}, .memory_bytes = 4e9}, large, value), StepEnd::done);
+  EXPECT_EQ(end_of(large, {}, 1e8), RunStatus::out_of_memory);
+  EXPECT_EQ(end_of(large, {}, 4e9), RunStatus::ok);
 }
 
 TEST(ChildPrograms, AreEndedWithTheirGroupAtTheirLimit) {

@@ -24,29 +24,6 @@ SessionPolicy forced() {
   return policy;
 }
 
-struct Made {
-  std::vector<std::size_t> order;
-  std::map<std::size_t, RunRecord> rows;
-  std::vector<EnvironmentEntry> notes;
-};
-
-// All rows of a plan but the finished ones.
-Made make(const StudyPlan& plan, const SessionPolicy& policy = forced(),
-          const std::unordered_map<std::string, RunRecord>& finished = {},
-          const std::function<void()>& after_each = {}) {
-  Made made;
-  FunctionSink sink(
-      [&](std::size_t row, const RunRecord& run) {
-        made.order.push_back(row);
-        EXPECT_TRUE(made.rows.emplace(row, run).second) << "row " << row << " twice";
-        if (after_each) after_each();
-      },
-      finished);
-  run_session(plan, policy, sink);
-  made.notes = sink.notes;
-  return made;
-}
-
 StudyPlan study(const std::string& sweep) {
   return plan_study(parse_study("study = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\n" + sweep, "t"));
 }
@@ -112,7 +89,7 @@ TEST(TimingPhase, OptionalRepetitionsEndAtThePrecision) {
   ASSERT_EQ(plan.rows(), 401u);
   EXPECT_FALSE(plan.instances[0].runs[6].optional);
   EXPECT_TRUE(plan.instances[0].runs[7].optional);
-  const Made made = make(plan);
+  const Made made = make(plan, forced());
   EXPECT_GE(made.rows.size(), 1u + 6);
   std::vector<double> times;
   for (const auto& [row, run] : made.rows) {
@@ -143,7 +120,7 @@ TEST(TimingPhase, ADrawingThatIsNotRepeatableIsACrash) {
   StudyPlan plan = plan_of(instance);
   plan.timing.warm_up = 0;
   drawings = 0;
-  const Made made = make(plan);
+  const Made made = make(plan, forced());
   EXPECT_EQ(made.rows.at(0).status, RunStatus::ok);
   EXPECT_EQ(made.rows.at(1).status, RunStatus::crashed);
   EXPECT_THAT(made.rows.at(1).message, HasSubstr("another drawing"));
@@ -166,7 +143,7 @@ TEST(TimingPhase, ADrawingThatFailedIsNotTriedAgain) {
     }
   }
   tried = 0;
-  const Made made = make(plan_of(instance));
+  const Made made = make(plan_of(instance), forced());
   ASSERT_EQ(made.rows.size(), 7u);
   for (const auto& [row, run] : made.rows) EXPECT_EQ(run.status, RunStatus::out_of_memory) << row;
   EXPECT_EQ(tried, 1);
@@ -175,7 +152,7 @@ TEST(TimingPhase, ADrawingThatFailedIsNotTriedAgain) {
 TEST(TimingPhase, SeveralAtOnceStateIt) {
   StudyPlan plan = study("sizes = [10, 20, 30]\nalgorithms = \"diamond\"\ntimed_repetitions = 2\n");
   plan.timing.concurrency = static_cast<std::uint32_t>(allowed_cores().size());
-  const Made made = make(plan);
+  const Made made = make(plan, forced());
   EXPECT_EQ(made.rows.size(), plan.rows());
   for (const auto& [row, run] : made.rows) {
     if (run.phase == RunPhase::timing) {
@@ -183,7 +160,7 @@ TEST(TimingPhase, SeveralAtOnceStateIt) {
     }
   }
   plan.timing.concurrency += 1;
-  EXPECT_THROW(make(plan), InputError) << "one core each";
+  EXPECT_THROW(make(plan, forced()), InputError) << "one core each";
 }
 
 TEST(TimingPhase, ABadBuildIsRefusedUnlessForced) {
@@ -207,7 +184,7 @@ TEST(ScalingPhase, BatchesHaveTheirIdealAndEfficiency) {
       "strong = { threads = [1, 2], drawings = 4, repetitions = 2 }\n"
       "weak = { threads = [1, 2, 3], drawings = 2 }\n");
   ASSERT_EQ(plan.rows(), 1u + 2 * 4 * 2 + 2 * (1 + 2 + 3));
-  const Made made = make(plan);
+  const Made made = make(plan, forced());
   ASSERT_EQ(made.rows.size(), plan.rows());
   std::map<std::tuple<RunPhase, std::int64_t, std::int64_t>, std::set<double>> batch_times;
   for (const auto& [row, run] : made.rows) {
@@ -250,7 +227,7 @@ TEST(ScalingPhase, OneRankIsAProcessAlone) {
   const StudyPlan plan = study(
       "sizes = [10, 20]\nalgorithms = \"diamond\"\n"
       "strong_ranks = { ranks = 1, drawings = 3, repetitions = 2 }\n");
-  const Made made = make(plan);
+  const Made made = make(plan, forced());
   ASSERT_EQ(made.rows.size(), plan.rows());
   for (const auto& [row, run] : made.rows) {
     EXPECT_EQ(run.status, RunStatus::ok) << run.message;
@@ -288,7 +265,7 @@ TEST(ScalingPhase, ThreadsDrawAtTheSameTime) {
   });
   PlannedInstance instance = cycle_of(8, {&noting}, 4, RunPhase::strong);
   for (PlannedRun& run : instance.runs) run.scale = 2;
-  make(plan_of(instance));
+  make(plan_of(instance), forced());
   EXPECT_EQ(most, 2);
 }
 
@@ -311,7 +288,7 @@ TEST(ScalingPhase, AStopEndsABatch) {
   drawn = 0;
   stopped = false;
   const Interruptible interruptible;
-  EXPECT_TRUE(make(plan_of(instance)).rows.empty());
+  EXPECT_TRUE(make(plan_of(instance), forced()).rows.empty());
   EXPECT_LE(drawn, 6);
 }
 

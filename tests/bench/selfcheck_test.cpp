@@ -19,7 +19,7 @@ TEST(SelfCheck, EveryRowOfAStudyIsReproduced) {
   std::size_t told = 0;
   const SelfCheck check = selfcheck(rows, sample_of_rows(rows, rows.size(), 1), {.seed = 0},
                                     [&](std::size_t place) { EXPECT_EQ(place, told++); });
-  EXPECT_EQ(check.replayed, rows.size());
+  EXPECT_EQ(told, rows.size());
   EXPECT_EQ(check.violated, 0u);
   EXPECT_TRUE(check.irreproducible.empty());
 }
@@ -31,12 +31,10 @@ TEST(SelfCheck, FindsWhatWasChanged) {
   rows[7].row_key[0] = rows[7].row_key[0] == 'a' ? 'b' : 'a';
   rows[9].instance_index += 1;
   const SelfCheck check = selfcheck(rows, {1, 3, 5, 7, 9}, {.seed = 0});
-  ASSERT_EQ(check.irreproducible.size(), 4u);
-  EXPECT_THAT(check.irreproducible[2].columns, ElementsAre("row_key"));
-  EXPECT_THAT(check.irreproducible[3].columns, Contains("row_key"));
-  EXPECT_EQ(check.irreproducible[0].row, 3u);
-  EXPECT_THAT(check.irreproducible[0].columns, ElementsAre("extent_y"));
-  EXPECT_THAT(check.irreproducible[1].columns, ElementsAre("drawing_hash"));
+  EXPECT_THAT(check.irreproducible, ElementsAre(::testing::Pair(3, ElementsAre("extent_y")),
+                                                ::testing::Pair(5, ElementsAre("drawing_hash")),
+                                                ::testing::Pair(7, ElementsAre("row_key")),
+                                                ::testing::Pair(9, Contains("row_key"))));
 }
 
 TEST(SelfCheck, TheSampleIsAFunctionOfItsSeedAndLeavesOutWhatCannotBeReplayed) {

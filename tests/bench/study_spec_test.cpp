@@ -1,5 +1,7 @@
 #include "ar3d/bench/spec/study_spec.h"
 
+#include <fmt/ranges.h>
+
 #include <fstream>
 
 #include "ar3d/algorithms/catalog.h"
@@ -72,14 +74,13 @@ weak_ranks = { ranks = [1, 2], repetitions = 5 }
   EXPECT_EQ(sweep.timed.least, 7u);
   EXPECT_EQ(sweep.timed.most, 9u);
   EXPECT_EQ(sweep.timed.precision, 0.02);
-  EXPECT_THAT(sweep.strong.scales, ElementsAre(1, 2, 4));
-  EXPECT_EQ(sweep.strong.drawings, 8u);
-  EXPECT_EQ(sweep.strong.repetitions, 3u);
-  EXPECT_THAT(sweep.weak.scales, ElementsAre(1));
-  EXPECT_THAT(sweep.strong_ranks.scales, ElementsAre(1, 3));
-  EXPECT_EQ(sweep.strong_ranks.drawings, 9u);
-  EXPECT_THAT(sweep.weak_ranks.scales, ElementsAre(1, 2));
-  EXPECT_EQ(sweep.weak_ranks.repetitions, 5u);
+  std::vector<std::string> batches;
+  for (const auto& [phase, rules] : sweep.batches) {
+    batches.push_back(fmt::format("{} {} {} {}", to_string(phase), fmt::join(rules.scales, ","),
+                                  rules.drawings, rules.repetitions));
+  }
+  EXPECT_THAT(batches,
+              ElementsAre("strong 1,2,4 8 3", "weak 1 1 1", "strong_r 1,3 9 1", "weak_r 1,2 1 5"));
   EXPECT_EQ(spec.timing.warm_up, 2u);
   EXPECT_EQ(spec.timing.concurrency, 3u);
   EXPECT_TRUE(spec.timing.write);

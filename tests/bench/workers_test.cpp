@@ -24,18 +24,6 @@
 namespace ar3d::testing {
 namespace {
 
-std::vector<RunRecord> made_rows(const StudyPlan& plan, const SessionPolicy& policy = {}) {
-  std::vector<RunRecord> rows(plan.rows());
-  std::vector<int> times_told(plan.rows());
-  FunctionSink sink([&](std::size_t row, const RunRecord& run) {
-    rows[row] = run;
-    ++times_told[row];
-  });
-  EXPECT_EQ(run_session(plan, policy, sink), SessionEnd::complete);
-  EXPECT_THAT(times_told, Each(1));
-  return rows;
-}
-
 SessionPolicy isolated() {
   SessionPolicy policy;
   policy.isolate = true;
@@ -181,24 +169,15 @@ TEST(Workers, GenerateLargeGraphsAfterThreadsWereUsed) {
 
 TEST(Workers, AStopGivesUpTheRowsInFlight) {
   const StudyPlan plan = plan_of(cycle_of(8, {&kGood, &kLoops, &kGood}));
-  std::vector<std::size_t> told;
   const Interruptible interruptible;
-  FunctionSink sink([&](std::size_t row, const RunRecord&) {
-    told.push_back(row);
-    std::raise(SIGINT);
-  });
-  EXPECT_EQ(run_session(plan, isolated(), sink), SessionEnd::stopped);
-  EXPECT_THAT(told, ElementsAre(0));
+  EXPECT_THAT(make(plan, isolated(), {}, [] { std::raise(SIGINT); }).order, ElementsAre(0));
   expect_no_children();
 }
 
 TEST(Workers, TheStudysBudgetEndsItWithWhatIsDone) {
   StudyPlan plan = plan_of(cycle_of(8, {&kGood, &kLoops}));
   plan.budget.study_s = 0.5;
-  std::vector<std::size_t> told;
-  FunctionSink sink([&](std::size_t row, const RunRecord&) { told.push_back(row); });
-  EXPECT_EQ(run_session(plan, isolated(), sink), SessionEnd::budget_spent);
-  EXPECT_THAT(told, ElementsAre(0));
+  EXPECT_THAT(make(plan, isolated()).order, ElementsAre(0));
   expect_no_children();
 }
 
@@ -235,8 +214,7 @@ TEST(Workers, DieWithTheirParent) {
       }
       std::abort();
     });
-    FunctionSink sink([](std::size_t, const RunRecord&) {});
-    run_session(plan_of(cycle_of(8, {&tells})), isolated(), sink);
+    make(plan_of(cycle_of(8, {&tells})), isolated());
     _exit(0);
   }
   close(ends[1]);
@@ -249,8 +227,8 @@ TEST(Workers, DieWithTheirParent) {
 }
 
 TEST(Workers, WhatTheListenerThrowsIsPassedOn) {
-  FunctionSink sink([](std::size_t, const RunRecord&) { throw std::runtime_error("disk full"); });
-  EXPECT_THROW(run_session(plan_of(cycle_of(8, {&kGood, &kGood})), isolated(), sink),
+  const auto fail = [] { throw std::runtime_error("disk full"); };
+  EXPECT_THROW(make(plan_of(cycle_of(8, {&kGood, &kGood})), isolated(), {}, fail),
                std::runtime_error);
   expect_no_children();
 }

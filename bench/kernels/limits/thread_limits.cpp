@@ -46,22 +46,16 @@ void add_threads(const std::string& work, std::int64_t largest, Prepare prepare)
       [](benchmark::internal::Benchmark* each) { each->UseRealTime()->Threads(2); });
 }
 
-/// Fails on a row that did not end well.
-class Valid final : public RowSink {
- public:
-  void add(std::size_t, const RunRecord& run) override {
-    if (run.status != RunStatus::ok) throw std::runtime_error("a row failed: " + run.message);
-  }
-};
-
 void study_limit(State& state, int workers) {
   const StudyPlan plan = plan_study(
       parse_study(fmt::format("study = \"limits\"\n[[sweep]]\nfamilies = \"random-cubic\"\n"
                               "sizes = 1000\nalgorithms = \"grid\"\ninstances = {}\n",
                               size_of(state)),
                   "limits.toml"));
+  const RowSink sink = {.add = [](std::size_t, const RunRecord& run) {
+    if (run.status != RunStatus::ok) throw std::runtime_error("a row failed: " + run.message);
+  }};
   for (auto _ : state) {
-    Valid sink;
     SessionPolicy policy;
     policy.workers = workers;
     run_session(plan, policy, sink);
