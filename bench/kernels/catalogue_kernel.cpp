@@ -26,32 +26,27 @@ namespace {
 constexpr std::array<std::uint64_t, 4> kSizes = {1'000, 10'000, 100'000, 1'000'000};
 constexpr std::uint64_t kLargestGraph6 = 10'000;  // n^2 / 2 bits
 
-/// A family at a size it can make.
-struct Input {
-  const Family* family;
-  std::uint64_t n;
-  const Graph& graph() const { return graph_of(*family, n); }
-};
-
 void count(benchmark::State& state, const Graph& graph, std::int64_t bytes) {
   state.SetItemsProcessed(state.iterations() * graph.num_vertices());
   state.SetBytesProcessed(state.iterations() * bytes);
 }
 
-void draw_kernel(benchmark::State& state, const Algorithm* algorithm, Input input) {
-  const Graph& graph = input.graph();
+void draw_kernel(benchmark::State& state, const Algorithm* algorithm, const Family* family,
+                 std::uint64_t n) {
+  const Graph& graph = graph_of(*family, n);
   for (auto _ : state) benchmark::DoNotOptimize(draw(*algorithm, graph));
   count(state, graph, bytes_of_graph(graph));
 }
 
-void search_kernel(benchmark::State& state, Input input) {
-  const Graph& graph = input.graph();
+void search_kernel(benchmark::State& state, const Family* family, std::uint64_t n) {
+  const Graph& graph = graph_of(*family, n);
   for (auto _ : state) benchmark::DoNotOptimize(search_breadth_first(graph).data());
   count(state, graph, bytes_of_graph(graph));
 }
 
-void certify_kernel(benchmark::State& state, const Algorithm* algorithm, Input input) {
-  const Graph& graph = input.graph();
+void certify_kernel(benchmark::State& state, const Algorithm* algorithm, const Family* family,
+                    std::uint64_t n) {
+  const Graph& graph = graph_of(*family, n);
   const Drawing drawing = draw(*algorithm, graph);
   bool valid = true;
   for (auto _ : state) valid = valid && !certify(graph, drawing, algorithm->guarantee).violated();
@@ -59,18 +54,20 @@ void certify_kernel(benchmark::State& state, const Algorithm* algorithm, Input i
   count(state, graph, bytes_of_graph(graph));
 }
 
-void generate_kernel(benchmark::State& state, Input input) {
-  for (auto _ : state) benchmark::DoNotOptimize(generate(*input.family, input.n, kSeed));
-  count(state, input.graph(), bytes_of_graph(input.graph()));
+void generate_kernel(benchmark::State& state, const Family* family, std::uint64_t n) {
+  for (auto _ : state) benchmark::DoNotOptimize(generate(*family, n, kSeed));
+  const Graph& graph = graph_of(*family, n);
+  count(state, graph, bytes_of_graph(graph));
 }
 
-void parse_kernel(benchmark::State& state, const GraphFormat* format, Input input) {
-  const std::string& text = text_of(*format, *input.family, input.n);
+void parse_kernel(benchmark::State& state, const GraphFormat* format, const Family* family,
+                  std::uint64_t n) {
+  const std::string& text = text_of(*format, *family, n);
   for (auto _ : state) {
     GraphReader reader(TextInput("memory", bytes_of(text)), {.format = format->name});
     benchmark::DoNotOptimize(reader.next());
   }
-  count(state, input.graph(), static_cast<std::int64_t>(text.size()));
+  count(state, graph_of(*family, n), static_cast<std::int64_t>(text.size()));
 }
 
 template <class Kernel, class... Arguments>
@@ -81,19 +78,21 @@ void add(const std::string& name, Kernel kernel, Arguments... arguments) {
       ->UseRealTime();
 }
 
-void add_input(Input input) {
-  const std::string place = fmt::format("{}/{}", input.family->name, input.n);
+/// @param n  a size that the family can make.
+void add_input(const Family& family, std::uint64_t n) {
+  const std::string place = fmt::format("{}/{}", family.name, n);
   for (const Algorithm& algorithm : algorithms()) {
-    if (input.family->max_degree > algorithm.guarantee.max_degree) continue;
+    if (family.max_degree > algorithm.guarantee.max_degree) continue;
     if (algorithm.by_name_only) continue;
-    add(fmt::format("draw/{}/{}", algorithm.name, place), draw_kernel, &algorithm, input);
-    add(fmt::format("certify/{}/{}", algorithm.name, place), certify_kernel, &algorithm, input);
+    add(fmt::format("draw/{}/{}", algorithm.name, place), draw_kernel, &algorithm, &family, n);
+    add(fmt::format("certify/{}/{}", algorithm.name, place), certify_kernel, &algorithm, &family,
+        n);
   }
-  add("search/" + place, search_kernel, input);
-  add("generate/" + place, generate_kernel, input);
+  add("search/" + place, search_kernel, &family, n);
+  add("generate/" + place, generate_kernel, &family, n);
   for (const GraphFormat& format : graph_formats()) {
-    if (format.name == "graph6" && input.n > kLargestGraph6) continue;
-    add(fmt::format("parse/{}/{}", format.name, place), parse_kernel, &format, input);
+    if (format.name == "graph6" && n > kLargestGraph6) continue;
+    add(fmt::format("parse/{}/{}", format.name, place), parse_kernel, &format, &family, n);
   }
 }
 
@@ -111,7 +110,7 @@ void register_catalogues() {
     for (const std::uint64_t size : kSizes) {
       sizes.insert(family.nearest_n(size, complete_parameters(family, {})));
     }
-    for (const std::uint64_t n : sizes) add_input({&family, n});
+    for (const std::uint64_t n : sizes) add_input(family, n);
   }
 }
 

@@ -17,12 +17,9 @@ namespace {
 using benchmark::State;
 using Numbers = UnwrittenVector<std::uint64_t>;
 
-/// A record of a whole cache line, so that no two steps share one.
-struct CacheLine {
-  std::uint32_t next = 0;
-  std::uint32_t unused[15] = {};
-};
-using Lines = UnwrittenVector<CacheLine>;
+/// Numbers in a cache line, of which one is used, so that no two steps share a line.
+constexpr std::uint32_t kLine = 16;
+using Lines = UnwrittenVector<std::uint32_t>;
 
 /// Returns one cycle through all lines, in random order (Sattolo).
 Lines random_cycle(std::size_t count) {
@@ -30,8 +27,8 @@ Lines random_cycle(std::size_t count) {
   std::iota(order.begin(), order.end(), 0u);
   std::mt19937_64 random(1);
   for (std::size_t i = count - 1; i > 0; --i) std::swap(order[i], order[random() % i]);
-  Lines lines(count, CacheLine{});
-  for (std::size_t i = 0; i < count; ++i) lines[i].next = order[i];
+  Lines lines(kLine * count, 0);
+  for (std::size_t i = 0; i < count; ++i) lines[kLine * i] = kLine * order[i];
   return lines;
 }
 
@@ -64,14 +61,14 @@ void copy(State& state) {
 template <std::size_t Chains>
 void walk(State& state) {
   constexpr std::size_t kSteps = 1 << 17;
-  const Lines lines = random_cycle(bytes_in(state) / sizeof(CacheLine));
+  const Lines lines = random_cycle(bytes_in(state) / (kLine * sizeof(std::uint32_t)));
   for (auto _ : state) {
     std::array<std::uint32_t, Chains> at{};
     for (std::size_t i = 0; i < Chains; ++i) {
       at[i] = static_cast<std::uint32_t>(i * (lines.size() / Chains));
     }
     for (std::size_t step = 0; step < kSteps; ++step) {
-      for (std::uint32_t& place : at) place = lines[place].next;
+      for (std::uint32_t& place : at) place = lines[place];
     }
     benchmark::DoNotOptimize(at);
   }

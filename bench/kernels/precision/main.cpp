@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "ar3d/base/error.h"
 #include "precision.h"
@@ -35,35 +37,31 @@ void print_table(const std::vector<std::string>& head,
 
 namespace {
 
-struct NamedTable {
-  const char* name;
-  const char* what;
-  void (*print)(const TableOptions&);
-};
-
-constexpr NamedTable kTables[] = {
-    {"widths", "bits of coordinates and predicates", width_tables},
-    {"shift", "a drawing in real types far from the origin", shift_tables},
-    {"nests", "from which depth on nests miss", nest_table},
-    {"predicates", "wrong answers by arithmetic", predicate_tables},
-    {"signs", "where rounding gives the wrong sign", sign_tables}};
-
 int print_tables(int argc, char** argv) {
   CLI::App app("What precision costs");
   app.require_subcommand(1);
   app.fallthrough();
-  TableOptions options;
-  app.add_option("--depth", options.depth, "nests: largest depth")->check(CLI::Range(1, 200));
-  app.add_option("--picture", options.picture, "signs: new SVG file of the worst windows");
-  for (const NamedTable& table : kTables) app.add_subcommand(table.name, table.what);
+  int depth = 120;
+  std::string picture;
+  app.add_option("--depth", depth, "nests: largest depth")->check(CLI::Range(1, 200));
+  app.add_option("--picture", picture, "signs: new SVG file of the worst windows");
+  std::vector<std::pair<const CLI::App*, std::function<void()>>> tables;
+  const auto add = [&](const char* name, const char* what, std::function<void()> print) {
+    tables.emplace_back(app.add_subcommand(name, what), std::move(print));
+  };
+  add("widths", "bits of coordinates and predicates", width_tables);
+  add("shift", "a drawing in real types far from the origin", shift_tables);
+  add("nests", "from which depth on nests miss", [&] { nest_table(depth); });
+  add("predicates", "wrong answers by arithmetic", predicate_tables);
+  add("signs", "where rounding gives the wrong sign", [&] { sign_tables(picture); });
   const CLI::App* const all = app.add_subcommand("all", "all of these tables");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  for (const NamedTable& table : kTables) {
-    if (all->parsed() || app.got_subcommand(table.name)) table.print(options);
+  for (const auto& [table, print] : tables) {
+    if (all->parsed() || table->parsed()) print();
   }
   return 0;
 }

@@ -7,6 +7,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
@@ -18,12 +19,9 @@
 namespace ar3d::precision {
 namespace {
 
-/// The real types whose misses are predicted, in the order of two_bend_paper::RealType.
-struct MeasuredType {
-  const char* name;
-  int bits;  ///< of the significand
-};
-constexpr std::array<MeasuredType, 3> kMeasuredTypes = {
+/// The real types whose misses are predicted, with the bits of their significands, in the order of
+/// two_bend_paper::RealType.
+constexpr std::array<std::pair<const char*, int>, 3> kMeasuredTypes = {
     {{"float", 24}, {"double", 53}, {"binary80", 64}}};
 
 /// A miss is kappa 2^-p C radians. Over one graph of each family half of all kappas are above the
@@ -84,8 +82,6 @@ Graph nest(const Graph& graph, int levels, int heptagons) {
   return {size, std::move(edges)};
 }
 
-Graph complete_graph_of_four() { return {4, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}}; }
-
 Graph cube() {
   std::vector<Edge> edges;
   for (Vertex v = 0; v < 8; ++v) {
@@ -117,21 +113,18 @@ std::vector<HardDrawing> nests_of(const Graph& core, int most, Heptagons&& hepta
   return nests;
 }
 
-/// Holds where a type passes a limit or breaks, as texts.
-struct HardRow {
-  std::string type, limit, early, late;  ///< predicted with kHighKappa and kMedianKappa
-  std::string seen;
-  std::string predicted() const { return early == late ? late : early + " to " + late; }
-};
-
+/// Where each type passes each limit, predicted with kHighKappa and kMedianKappa, and seen, and where
+/// it breaks: rows of texts.
 /// @param text  of a place in the series; of -1: there is none.
+/// @param skips_plain  without what passes a limit at once, or never, as predicted.
 template <class Text>
-std::vector<HardRow> hard_rows(const std::vector<HardDrawing>& all, const Text& text) {
+std::vector<std::vector<std::string>> hard_rows(const std::vector<HardDrawing>& all,
+                                                const Text& text, bool skips_plain) {
   const auto first = [&](const auto& holds) {
     const auto at = std::find_if(all.begin(), all.end(), holds);
-    return text(at == all.end() ? -1 : static_cast<int>(at - all.begin()));
+    return at == all.end() ? -1 : static_cast<int>(at - all.begin());
   };
-  std::vector<HardRow> rows;
+  std::vector<std::vector<std::string>> rows;
   for (std::size_t t = 0; t < kMeasuredTypes.size(); ++t) {
     const auto& [name, bits] = kMeasuredTypes[t];
     for (const double limit : kLimits) {
@@ -140,25 +133,27 @@ std::vector<HardRow> hard_rows(const std::vector<HardDrawing>& all, const Text& 
           return predicted_miss(one.condition, p, kappa) > limit;
         });
       };
-      rows.push_back(
-          {name, fmt::format("{:g}", limit), predicted(kHighKappa), predicted(kMedianKappa),
-           first([&](const HardDrawing& one) { return one.found[t].largest_miss > limit; })});
+      const int early = predicted(kHighKappa), late = predicted(kMedianKappa);
+      const int seen =
+          first([&](const HardDrawing& one) { return one.found[t].largest_miss > limit; });
+      if (skips_plain && seen == late && seen <= 0) continue;
+      rows.push_back({name, fmt::format("{:g}", limit),
+                      early == late ? text(late) : text(early) + " to " + text(late), text(seen)});
     }
-    rows.push_back({name, "broken", "", "",
-                    first([&](const HardDrawing& one) { return one.found[t].is_broken(); })});
+    const int broken = first([&](const HardDrawing& one) { return one.found[t].is_broken(); });
+    rows.push_back({name, "broken", "", text(broken)});
   }
   return rows;
 }
 
-/// Without what passes a limit at once, or never, as predicted.
 void add_rows(const std::string& name, const std::vector<HardDrawing>& nests,
               std::vector<std::vector<std::string>>& rows) {
   const auto depth = [&](int at) {
     return at < 0 ? fmt::format("> {}", nests.size() - 1) : fmt::format("{}", at);
   };
-  for (const HardRow& row : hard_rows(nests, depth)) {
-    if (row.seen == row.late && (row.seen == depth(0) || row.seen == depth(-1))) continue;
-    rows.push_back({name, row.type, row.limit, row.predicted(), row.seen});
+  for (std::vector<std::string>& row : hard_rows(nests, depth, true)) {
+    row.insert(row.begin(), name);
+    rows.push_back(std::move(row));
   }
 }
 
@@ -179,14 +174,14 @@ std::string power(int j) { return j < 0 ? "-" : fmt::format("2^{}", j); }
 
 /// Moved by 2^0 to 2^kLargestShift.
 std::vector<HardDrawing> moved_away(const Graph& graph) {
-  const RealPoints drawing = two_bend_paper::draw_real(graph, two_bend_paper::RealType::reference);
+  const RealPoints drawing = two_bend_paper::draw_real(graph, RealType::reference);
   std::vector<HardDrawing> all;
   for (int j = 0; j <= kLargestShift; ++j) {
     const RealPoints moved = shifted(drawing, j);
     HardDrawing seen;
     seen.condition = assess(graph, moved).condition;
     for (std::size_t t = 0; t < kMeasuredTypes.size(); ++t) {
-      seen.found[t] = assess(graph, in_bits(moved, kMeasuredTypes[t].bits));
+      seen.found[t] = assess(graph, in_bits(moved, kMeasuredTypes[t].second));
     }
     all.push_back(std::move(seen));
   }
@@ -195,14 +190,13 @@ std::vector<HardDrawing> moved_away(const Graph& graph) {
 
 }  // namespace
 
-void nest_table(const TableOptions& options) {
-  const int most = options.depth;
+void nest_table(int most) {
   const auto half = [](int levels) { return levels / 2; };
   const auto all = [](int levels) { return levels; };
   const Graph cycle(5, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {0, 4}});
   const Graph random = generate(find_family("random-cubic"), 100, 1);
   std::vector<std::vector<std::string>> rows;
-  add_rows("hexagons in K4", nests_of(complete_graph_of_four(), most, all), rows);
+  add_rows("hexagons in K4", nests_of(generate(find_family("union-k4"), 4, 1), most, all), rows);
   add_rows("hexagons in the cube", nests_of(cube(), most, all), rows);
   add_rows("hexagons in a random cubic graph, n = 100", nests_of(random, most, all), rows);
   add_rows("heptagons in C5", nests_of(cycle, most, all), rows);
@@ -214,9 +208,9 @@ void nest_table(const TableOptions& options) {
   print_table({"nest", "type", "degrees", "predicted", "seen"}, rows);
 }
 
-void shift_tables(const TableOptions&) {
+void shift_tables() {
   const std::vector<HardDrawing> all = moved_away(generate(find_family("random-cubic"), 100, 1));
-  std::vector<std::vector<std::string>> misses, onsets;
+  std::vector<std::vector<std::string>> misses;
   for (std::size_t j = 0; j < all.size(); j += 5) {
     std::vector<std::string> row{fmt::format("2^{}", j),
                                  fmt::format("{:.1f}", std::log2(all[j].condition))};
@@ -226,9 +220,6 @@ void shift_tables(const TableOptions&) {
     }
     misses.push_back(std::move(row));
   }
-  for (const HardRow& row : hard_rows(all, power)) {
-    onsets.push_back({row.type, row.limit, row.predicted(), row.seen});
-  }
   fmt::print(
       "Largest miss in degrees, random cubic graph with 100 vertices, moved and rounded:\n\n");
   print_table({"moved by", "log2 C", "float", "double", "binary80"}, misses);
@@ -236,7 +227,7 @@ void shift_tables(const TableOptions&) {
       "The first move with which the drawing misses by more than a limit, predicted with kappa "
       "from {} to {}, and seen:\n\n",
       kHighKappa, kMedianKappa);
-  print_table({"type", "degrees", "predicted", "seen"}, onsets);
+  print_table({"type", "degrees", "predicted", "seen"}, hard_rows(all, power, false));
 }
 
 }  // namespace ar3d::precision

@@ -193,9 +193,9 @@ std::vector<SignMap> position_maps() {
 
 }  // namespace
 
-void sign_tables(const TableOptions& options) {
+void sign_tables(const std::string& picture) {
   const std::vector<SignMap> maps = position_maps();
-  if (!options.picture.empty()) write_maps(maps, options.picture);
+  if (!picture.empty()) write_maps(maps, picture);
 }
 
 }  // namespace ar3d::precision

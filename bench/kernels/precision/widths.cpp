@@ -38,7 +38,7 @@ double actual_n(const Algorithm& algorithm, std::uint64_t n, double extent, doub
 
 }  // namespace
 
-void width_tables(const TableOptions&) {
+void width_tables() {
   std::vector<std::vector<std::string>> widths, bits;
   for (const char* name : {"diamond", "two-bend", "grid", "compact", "compact-120"}) {
     const Algorithm* const algorithm = &find_algorithm(name);
