@@ -32,18 +32,6 @@ using Json = nlohmann::ordered_json;
 std::optional<Drawing> shown_drawing;  // what is saved
 std::string answer_text, answer_bytes;
 
-class Watch {
- public:
-  /// Seconds since the last call.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 /// Holds which graph is drawn, and what there is to say of where it comes from.
 struct GivenGraph {
   Graph graph;
@@ -97,13 +85,17 @@ std::string short_line(const Graph& graph) {
 }
 
 std::string draw_and_judge(const Json& asked, std::string_view text) {
-  Watch watch;
+  auto last = std::chrono::steady_clock::now();
+  const auto lap = [&last] {  // seconds since the last call
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last, now)).count();
+  };
   GivenGraph given = asked.contains("family")
                          ? of_family(asked["family"], asked.value("n", std::uint64_t{0}),
                                      asked.value("seed", std::uint64_t{1}))
                          : of_text(text, asked["name"], asked.value("place", std::uint64_t{1}));
   const Graph& graph = given.graph;
-  Json seconds = {{"read", watch.lap()}};
+  Json seconds = {{"read", lap()}};
   const Algorithm& algorithm = algorithm_for(asked.value("algorithm", ""), graph);
   const Settings options =
       complete_options(algorithm, parse_settings(std::string_view(asked.value("options", ""))));
@@ -115,9 +107,9 @@ std::string draw_and_judge(const Json& asked, std::string_view text) {
   if (!given.names.empty()) {
     shown_drawing->names = std::make_shared<const std::vector<std::string>>(given.names);
   }
-  seconds["draw"] = watch.lap();
+  seconds["draw"] = lap();
   const PageVerdict verdict = page_verdict(*shown_drawing, &algorithm, &graph);
-  seconds["judge"] = watch.lap();
+  seconds["judge"] = lap();
   const EdgeRoles roles = edge_roles(*shown_drawing);
   const PageEntry entry =
       page_facts(asked["title"], *shown_drawing, roles, &algorithm.guarantee, verdict);
