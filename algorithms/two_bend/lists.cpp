@@ -14,16 +14,18 @@ namespace {
 struct RowReach {
   std::int32_t low = 0;
   std::int32_t high = 0;
-  std::uint32_t sharers = 0;   ///< SPLITs
-  std::uint32_t weight = 0;    ///< SPLITs in the trees above the row's SPLITs
-  std::uint32_t heaviest = 0;  ///< the largest of these trees
-  std::uint32_t tree = 0;      ///< SPLITs in the tree of a SPLIT above a SPLIT
+  std::uint8_t sharers = 0;  ///< SPLITs
+  std::uint8_t light = 0;    ///< SPLITs in the trees above the row's SPLITs but for the heaviest
+  std::uint8_t heaviest = 0;
+  std::uint8_t tree = 0;  ///< SPLITs in the tree of a SPLIT above a SPLIT
 
   bool meets(const RowReach& other) const { return low <= other.high && other.low <= high; }
 };
 
-/// All trees above a row's SPLITs but the heaviest may have so many SPLITs.
-constexpr std::uint32_t kMostLightWeight = 64;
+/// All trees above a row's SPLITs but the heaviest may have so many SPLITs; what has more counts as
+/// one more.
+constexpr std::uint8_t kMostLightWeight = 64;
+constexpr std::uint8_t kTooHeavy = kMostLightWeight + 1;
 
 /// Holds who shares the row of the SPLIT below it.
 class Sharing {
@@ -55,13 +57,18 @@ class Sharing {
       }
       if (shares[a] < shares[b]) std::swap(a, b);  // a single asker is a
       if (shares[a] && shares[b] && reach_[a].sharers < reach_[b].sharers) std::swap(a, b);
-      for (const NodeId asker : {b, a}) {  // the smaller part goes first
-        if (!shares[asker] || fits(shares, a, b, is_new)) continue;
+      RowReach pa = part(shares, a);
+      RowReach pb = part(shares, b);
+      const auto leave = [&](NodeId asker, RowReach& its) {
+        if (!shares[asker] || fits(pa, pb, is_new)) return;
         shares[asker] = 0;
+        its = part(shares, asker);
         changed = true;
-      }
-      const std::uint32_t tree = reach_[v].tree;
-      reach_[v] = united(part(shares, a), part(shares, b));
+      };
+      leave(b, pb);  // the smaller part goes first
+      leave(a, pa);
+      const std::uint8_t tree = reach_[v].tree;
+      reach_[v] = united(pa, pb);
       reach_[v].tree = tree;
     }
     return changed;
@@ -78,18 +85,19 @@ class Sharing {
   }
   RowReach part(const LongVector<std::uint8_t>& shares, NodeId v) const {
     if (shares[v]) return reach_[v];
-    return {cross_[v], cross_[v], 0, reach_[v].tree, reach_[v].tree};
+    return {cross_[v], cross_[v], 0, 0, reach_[v].tree, reach_[v].tree};
   }
   static RowReach united(const RowReach& a, const RowReach& b) {
-    return {std::min(a.low, b.low), std::max(a.high, b.high), a.sharers + b.sharers + 1,
-            a.weight + b.weight, std::max(a.heaviest, b.heaviest)};
+    const int light = a.light + b.light + std::min(a.heaviest, b.heaviest);
+    return {std::min(a.low, b.low), std::max(a.high, b.high),
+            static_cast<std::uint8_t>(a.sharers + b.sharers + 1),
+            static_cast<std::uint8_t>(std::min<int>(light, kTooHeavy)),
+            std::max(a.heaviest, b.heaviest)};
   }
-  bool fits(const LongVector<std::uint8_t>& shares, NodeId a, NodeId b, bool is_new) const {
-    const RowReach pa = part(shares, a);
-    const RowReach pb = part(shares, b);
-    const RowReach both = united(pa, pb);
-    return !pa.meets(pb) && (!is_new || (both.sharers <= kMostSharers &&
-                                         both.weight - both.heaviest <= kMostLightWeight));
+  static bool fits(const RowReach& a, const RowReach& b, bool is_new) {
+    const RowReach both = united(a, b);
+    return !a.meets(b) &&
+           (!is_new || (both.sharers <= kMostSharers && both.light <= kMostLightWeight));
   }
 
   /// SPLITs in the tree of a SPLIT that stands above a SPLIT, 0 for all others; those above it are
@@ -97,14 +105,15 @@ class Sharing {
   void weigh_tree(NodeId v) {
     if (view_.ins(v).empty()) return;
     const NodeId u = view_.ins(v)[0];
-    std::uint32_t& tree = reach_[v].tree;
+    std::uint8_t& tree = reach_[v].tree;
     if (view_.type(u) != NodeType::split) {
       tree = 0;
       return;
     }
     ++tree;
-    if (view_.flow().in_pole_block(v) && !view_.flow().in_pole_block(u)) tree = view_.size();
-    reach_[u].tree = std::min(reach_[u].tree + tree, view_.size());
+    const auto most = static_cast<std::uint8_t>(std::min<NodeId>(view_.size(), kTooHeavy));
+    if (view_.flow().in_pole_block(v) && !view_.flow().in_pole_block(u)) tree = most;
+    reach_[u].tree = static_cast<std::uint8_t>(std::min<int>(reach_[u].tree + tree, most));
   }
 
   const View& view_;

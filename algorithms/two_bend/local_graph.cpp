@@ -32,7 +32,7 @@ bool ComponentReader::next(LocalGraph& out) {
   search_from(first_, out);
   if (count_ == graph_.num_vertices()) {
     release(near_);
-    release(turns_);
+    turns_.shrink_to_fit();  // it is empty
   }
   copy_rows(out);
   if (count_ == graph_.num_vertices()) release(local_);

@@ -32,10 +32,11 @@ struct NeighbourList {
   }
 };
 
-/// Frees a long array that is needed no more; a short one keeps its memory for the next component.
+/// Frees an array that is needed no more, for later ones; a short one keeps its memory for the next
+/// component.
 template <class T>
 void release(LongVector<T>& array) {
-  if (array.capacity() * sizeof(T) >= kLongArrayBytes) array = LongVector<T>();
+  if (array.size() * sizeof(T) >= kReusableBytes) array = LongVector<T>();
 }
 
 /// One component, its vertices renamed in preorder of a depth-first search, so that the search tree

@@ -7,31 +7,6 @@
 
 namespace ar3d::two_bend {
 
-void LongBends::set(std::size_t i, const Point& bend) {
-  const auto narrow = [](std::int64_t value) {
-    expect(std::in_range<std::int32_t>(value), "rows and columns fit 32 bits");
-    return static_cast<std::int32_t>(value);
-  };
-  expect(-kMaxCoordinate < bend.z && bend.z < kMaxCoordinate, "a bend's height fits 62 bits");
-  xy_[2 * i] = narrow(bend.x);
-  xy_[2 * i + 1] = narrow(bend.y);
-  coded_[i] = bend.z * 4 + (coded_[i] & 3);
-}
-
-void LongBends::add_lower(const Point& bend) {
-  expect(lower_count() < 2 && upper_count() == 0,
-         "an edge has at most two bends, lower ones first");
-  if (lower_count() == 1) set(1, (*this)[0]);
-  set(0, bend);
-  ++coded_[0];
-}
-
-void LongBends::add_upper(const Point& bend) {
-  expect(count() < 2, "an edge has at most two bends");
-  set(count(), bend);
-  ++coded_[1];
-}
-
 void PackedBends::append_bends(EdgeId e, Edge, Point at_u, Point at_v,
                                std::vector<Point>& out) const {
   const LongBends& bends = of_edge[e];

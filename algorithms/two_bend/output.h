@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/two_bend/local_graph.h"
+#include "ar3d/base/error.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 
@@ -25,11 +26,28 @@ class alignas(32) LongBends {
   std::size_t count() const { return lower_count() + upper_count(); }
   Point operator[](std::size_t i) const { return {xy_[2 * i], xy_[2 * i + 1], coded_[i] >> 2}; }
   /// x and y are below 2^31 in absolute value, z below kMaxCoordinate.
-  void add_lower(const Point& bend);  ///< before any upper one, below any lower one
-  void add_upper(const Point& bend);  ///< in upward order
+  void add_lower(const Point& bend) {  ///< before any upper one, below any lower one
+    expect(lower_count() < 2 && upper_count() == 0,
+           "an edge has at most two bends, lower ones first");
+    if (lower_count() == 1) set(1, (*this)[0]);
+    set(0, bend);
+    ++coded_[0];
+  }
+  void add_upper(const Point& bend) {  ///< in upward order
+    expect(count() < 2, "an edge has at most two bends");
+    set(count(), bend);
+    ++coded_[1];
+  }
 
  private:
-  void set(std::size_t i, const Point& bend);
+  void set(std::size_t i, const Point& bend) {
+    expect(std::in_range<std::int32_t>(bend.x) && std::in_range<std::int32_t>(bend.y),
+           "rows and columns fit 32 bits");
+    expect(-kMaxCoordinate < bend.z && bend.z < kMaxCoordinate, "a bend's height fits 62 bits");
+    xy_[2 * i] = static_cast<std::int32_t>(bend.x);
+    xy_[2 * i + 1] = static_cast<std::int32_t>(bend.y);
+    coded_[i] = bend.z * 4 + (coded_[i] & 3);
+  }
 
   std::array<std::int32_t, 4> xy_{};
   std::array<std::int64_t, 2> coded_{};  // 4 z + number of lower bends, 4 z + number of upper ones

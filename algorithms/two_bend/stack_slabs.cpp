@@ -207,24 +207,25 @@ class Writer {
     std::uint32_t i = place_of(edge.lower);
     if (stands_free(edge.lower)) stand_on_bend(i);
     EdgeId id = edge.first_edge;
-    for (const std::uint32_t top = place_of(edge.upper); (i = end_of(i, id)) != top;) {
+    const auto& edges = graph_.edges[order_[i]];
+    i = end_of(i,
+               static_cast<std::size_t>(std::find(edges.begin(), edges.end(), id) - edges.begin()));
+    for (const std::uint32_t top = place_of(edge.upper); i != top;) {
       if (!stand_on_bend(i)) stand_at(i, ray.x, ray.y);
       output_.set_bends(id, {});
-      const auto& edges = graph_.edges[order_[i]];
-      id = edges[edges[0] == id ? 1 : 0];
+      const auto& both = graph_.edges[order_[i]];
+      const std::size_t other = both[0] == id ? 1 : 0;
+      id = both[other];
+      i = end_of(i, other);
     }
     std::size_t last = bends.count();
     if (stands_free(edge.upper) && bend_under(bends, all, k)) stand_on(i, points[--last]);
     output_.set_bends(id, {points.data() + used, last - used});
   }
 
-  /// The place of the other end of an input edge of the vertex at a place.
-  std::uint32_t end_of(std::uint32_t i, EdgeId id) const {
-    const Vertex v = order_[i];
-    const auto& edges = graph_.edges[v];
-    const auto k =
-        static_cast<std::size_t>(std::find(edges.begin(), edges.end(), id) - edges.begin());
-    return in_.flow.place[graph_.neighbours[v].to[k]];
+  /// The place of the k-th neighbour of the vertex at a place.
+  std::uint32_t end_of(std::uint32_t i, std::size_t k) const {
+    return in_.flow.place[graph_.neighbours[order_[i]].to[k]];
   }
 
   void stand_on(std::uint32_t i, const Point& bend) {
