@@ -4,7 +4,6 @@
 #include <array>
 #include <cstring>
 #include <map>
-#include <sstream>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
@@ -34,16 +33,6 @@ std::string written(Write write) {
   write(file);
   file.commit();
   return read_file(scratch.path("x"));
-}
-
-/// Every polyline of the drawing, embedded.
-std::vector<std::vector<Real3>> polylines(const Drawing& drawing) {
-  const Embedding embed(drawing.lattice());
-  std::vector<std::vector<Real3>> all(drawing.num_edges());
-  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
-    for (const Point p : points) all[e].push_back(embed(p));
-  });
-  return all;
 }
 
 TEST(Exports, GraphmlIsTheGraph) {
@@ -115,9 +104,10 @@ TEST(Exports, StlIsWatertight) {
     }
     // A prism of 12 sides has 12 sin(30 degrees) / 2 = 3 r^2 of area; the balls add theirs.
     double tubes = 0;
-    for (const auto& line : polylines(drawing)) {
-      for (std::size_t i = 1; i < line.size(); ++i) tubes += length(line[i] - line[i - 1]);
-    }
+    const Embedding embed(drawing.lattice());
+    for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& line) {
+      for (std::size_t i = 1; i < line.size(); ++i) tubes += length(embed(line[i] - line[i - 1]));
+    });
     const double balls = 20 * 4.0 / 3 * 3.14159 * std::pow(0.44, 3);
     EXPECT_NEAR(volume6(faces) / 6, tubes * 3 * 0.04 + balls, 0.02 * tubes * 0.12 + 0.2 * balls);
   }

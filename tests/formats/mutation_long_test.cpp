@@ -2,13 +2,11 @@
 
 #include <array>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 #include <string_view>
 
 #include "ar3d/base/random.h"
 #include "fuzz/checks.h"
-#include "support/test.h"
+#include "support/program.h"
 
 // The checks of the fuzz targets without a fuzzer: the corpus, and mutations of it that are the
 // same in every run. Needs no clang; what libFuzzer adds is the search guided by coverage.
@@ -29,11 +27,7 @@ std::vector<std::string> corpus_of(const std::string& target) {
   }
   std::sort(files.begin(), files.end());
   std::vector<std::string> texts;
-  for (const auto& file : files) {
-    std::ostringstream content;
-    content << std::ifstream(file, std::ios::binary).rdbuf();
-    texts.push_back(content.str());
-  }
+  for (const auto& file : files) texts.push_back(read_file(file.string()));
   return texts;
 }
 

@@ -1,22 +1,8 @@
-#include <cstdio>
-
 #include "formats/format_helpers.h"
 #include "support/graphs.h"
 
 namespace ar3d::testing {
 namespace {
-
-/// What a shell command prints.
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  std::string text;
-  char block[4096];
-  for (std::size_t got = 1; got > 0;) {
-    got = std::fread(block, 1, sizeof block, pipe.get());
-    text.append(block, got);
-  }
-  return text;
-}
 
 TEST(NautyLines, ReadTheExamplesOfTheirDescription) {
   const std::vector<Graph> graphs = read_text("DQc\n\n:Fa@x^\n?\nDQc");  // blanks, no last end
@@ -33,7 +19,7 @@ TEST(NautyLines, AgreeWithNautyByteForByte) {
   for (const auto& [format, command] : {std::pair("graph6", "nauty-geng -q 6"),
                                         {"sparse6", "nauty-geng -q 6 | nauty-copyg -q -s"},
                                         {"isparse6", "nauty-geng -q 6 | nauty-copyg -q -i"}}) {
-    const std::string lines = output_of(command);
+    const std::string lines = run(command).out;
     EXPECT_EQ(written(graphs, find_graph_format(format)), lines);
     for (const std::string& head : {std::string(), fmt::format(">>{}<<", format)}) {
       if (head == ">>isparse6<<") continue;  // there is none
@@ -50,7 +36,7 @@ TEST(NautyLines, AgreeWithNautyOnEveryPaddingOfPowersOfTwo) {
   for (const char* n : {"1", "2", "3", "4", "5", "7", "8"}) {
     const std::string size = n;
     const std::string range = size == "8" ? " 0:9" : "";  // 12346 graphs are more than needed
-    const std::string sparse6 = output_of("nauty-geng -q " + size + range + " | nauty-copyg -q -s");
+    const std::string sparse6 = run("nauty-geng -q " + size + range + " | nauty-copyg -q -s").out;
     EXPECT_EQ(written(geng(size + range), find_graph_format("sparse6")), sparse6);
     EXPECT_EQ(written(read_text(sparse6), find_graph_format("sparse6")), sparse6);
   }

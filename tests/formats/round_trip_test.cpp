@@ -9,7 +9,6 @@ namespace ar3d::testing {
 namespace {
 
 std::vector<Graph> samples() {
-  using namespace testing;  // NOLINT
   std::vector<Graph> graphs = {
       Graph(0, {}),
       Graph(1, {}),
