@@ -79,7 +79,7 @@ Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
   std::optional<Placement> strip;
   if (first) strip = fill_some_narrow_strip(graph, links, *first, seed, census);
   const bool zones = !strip;
-  if (zones) strip = fill_zones(graph, links, RandomStream(seed, kZoneStream), census).placement();
+  if (zones) strip = fill_zones(graph, links, RandomStream(seed, kZoneStream), census);
   Drawing drawing = lift(graph, links, *strip);
   const StripSize& size = strip->size;
   drawing.counters = strips::counters_of(census, zones, size.columns, size.rows);

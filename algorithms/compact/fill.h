@@ -54,7 +54,7 @@ Zones lay_out_zones(const std::vector<std::int64_t>& sizes);
 /// Places every vertex in its zone, whole lines and cap rule: at most 6 log2(n) + 8 random cells
 /// each, then all cells in turn, of which one is free. O(n) expected.
 /// @param random_trials  false: all cells in turn at once (tests), O(n^2).
-Strip fill_zones(const Graph& graph, const Decomposition& links, RandomStream random,
-                 Census& census, bool random_trials = true);
+Placement fill_zones(const Graph& graph, const Decomposition& links, RandomStream random,
+                     Census& census, bool random_trials = true);
 
 }  // namespace ar3d::compact

@@ -69,8 +69,8 @@ class NarrowPlacer {
     if (joined.has_arrival) lines_.flip_arrival(arrival_line(end));
     std::array<Piece, 4> pieces;
     for (std::size_t i = 0; i < joined.edges.size(); ++i) {
-      const EdgeRoute route = route_of(joined.edges[i], end);
-      pieces[i] = piece_of(route, route.words[variant_[joined.edges[i].edge]]);
+      const MiddleLine line = line_of(joined.edges[i], end);
+      pieces[i] = piece_of(line, words_[line.word + variant_[joined.edges[i].edge]]);
       lines_.ask_for(pieces[i].line);
       lines_.ask_for_pieces(pieces[i].line);
     }
@@ -99,14 +99,6 @@ class NarrowPlacer {
     boost::container::static_vector<JoinedEdge, 4> edges;
     bool has_arrival = false;
     CellChoice choice;
-  };
-  /// An edge to a placed neighbour if the vertex stood at a certain place.
-  struct EdgeRoute {
-    std::array<std::int32_t, 3> length;  ///< this and top without the word's constants
-    std::int32_t top;
-    std::uint64_t line;          ///< of variant 0
-    const WordConstants* words;  ///< of all variants
-    unsigned variants;
   };
   /// Holds what placing one vertex would add.
   struct Plan {
@@ -218,17 +210,18 @@ class NarrowPlacer {
            : (word / 8) % 2 == 0                 ? LineKind::upper_b
                                                  : LineKind::upper_c;
   }
-  EdgeRoute route_of(const JoinedEdge& edge, const PlacedEnd& own) const {
-    const MiddleLine line =
+  /// Of an edge to a placed neighbour if the vertex stood at that end.
+  MiddleLine line_of(const JoinedEdge& edge, const PlacedEnd& own) const {
+    MiddleLine line =
         middle_line(edge.red, edge.out ? own : edge.other, edge.out ? edge.other : own);
     const WordConstants& word = words_[line.word];
-    return {line.length, line.top,
-            lines_.number(kind_of(line.word), line.first + word.first, line.second + word.second),
-            &word, variants(edge.red)};
+    line.number =
+        lines_.number(kind_of(line.word), line.first + word.first, line.second + word.second);
+    return line;
   }
-  static Piece piece_of(const EdgeRoute& route, const WordConstants& word) {
-    const std::int32_t top = route.top + word.top;
-    return {route.line + word.step, top - route.length[1] - word.length[1], top};
+  static Piece piece_of(const MiddleLine& line, const WordConstants& word) {
+    const std::int32_t top = line.top + word.top;
+    return {line.number + word.step, top - line.length[1] - word.length[1], top};
   }
   /// The whole line on which a green edge arrives (words.h, arrival_line).
   std::uint64_t arrival_line(const PlacedEnd& head) const {
@@ -236,14 +229,14 @@ class NarrowPlacer {
                           : lines_.number(LineKind::upper_b, head.U + 2, head.form[1]);
   }
 
-  bool plan_edge(const EdgeRoute& route, Plan& plan) const {
-    for (unsigned variant = 0; variant < route.variants; ++variant) {
-      const WordConstants& word = route.words[variant];
-      if (route.length[0] + word.length[0] < 1 || route.length[1] + word.length[1] < 1 ||
-          route.length[2] + word.length[2] < 1) {
+  bool plan_edge(const MiddleLine& line, bool red, Plan& plan) const {
+    for (unsigned variant = 0; variant < variants(red); ++variant) {
+      const WordConstants& word = words_[line.word + variant];
+      if (line.length[0] + word.length[0] < 1 || line.length[1] + word.length[1] < 1 ||
+          line.length[2] + word.length[2] < 1) {
         continue;
       }
-      const Piece piece = piece_of(route, word);
+      const Piece piece = piece_of(line, word);
       if (plan.overlaps(piece) || !lines_.is_free(piece)) continue;
       plan.variants[plan.count] = static_cast<std::uint8_t>(variant);
       plan.pieces[plan.count++] = piece;
@@ -255,17 +248,17 @@ class NarrowPlacer {
   /// Places v at an open place if its arrival and all its edges to placed neighbours have room.
   bool try_place(Vertex v, Place own, const JoinedVertex& joined) {
     const PlacedEnd end = end_at(own);
-    std::array<EdgeRoute, 4> routes;
+    std::array<MiddleLine, 4> middle;
     for (std::size_t i = 0; i < joined.edges.size(); ++i) {
-      routes[i] = route_of(joined.edges[i], end);
-      lines_.ask_for(routes[i].line);
+      middle[i] = line_of(joined.edges[i], end);
+      lines_.ask_for(middle[i].number);
     }
     const std::uint64_t arrival = joined.has_arrival ? arrival_line(end) : 0;
     if (joined.has_arrival) lines_.ask_for(arrival);
-    for (std::size_t i = 0; i < joined.edges.size(); ++i) lines_.ask_for_pieces(routes[i].line);
+    for (std::size_t i = 0; i < joined.edges.size(); ++i) lines_.ask_for_pieces(middle[i].number);
     Plan plan;
     for (std::size_t i = 0; i < joined.edges.size(); ++i) {
-      if (!plan_edge(routes[i], plan)) return false;
+      if (!plan_edge(middle[i], joined.edges[i].red, plan)) return false;
     }
     if (joined.has_arrival) {
       if (plan.is_on(arrival) || !lines_.is_empty(arrival)) return false;

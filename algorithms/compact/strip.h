@@ -3,7 +3,7 @@
 #include <array>
 #include <boost/container/static_vector.hpp>
 #include <cstdint>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/compact/cells.h"
@@ -57,70 +57,42 @@ struct Decomposition {
 /// Balanced orientation and two-colouring of docs/theorem1.md. O(n + m).
 Decomposition decompose(const Graph& graph);
 
-/// A neighbour that is placed: what v is to the edge, the edge, and where its other end stands.
-struct PlacedNeighbour {
-  ColourRole role = kGreenOut;
-  EdgeId edge = 0;
-  Site other;
-};
-using Joined = boost::container::static_vector<PlacedNeighbour, 4>;
-
-/// The vertices placed so far and the pieces of contested lines that their edges use. Invariants:
+/// The vertices placed so far and the contested lines that their edges take as a whole. Invariants:
 /// (a) a green edge leaves a tail of type 0 to the right and one of type 1 to the left; (b) all
 /// lengths are at least 1; (c) one edge of each role at a vertex; (d) one vertex per cell and type;
-/// (e) no two pieces overlap. By docs/compact.md these are enough for a right drawing.
+/// (e) no two edges take one line; and the cap rule. By docs/compact.md (a) to (e) are enough for a
+/// right drawing. All edges are routed in variant 0.
 class Strip {
  public:
-  /// @param cap  T of the cap rule: an edge takes all of its contested line, and only variant 0 is
-  /// used. 0: edges take pieces of lines, in any variant, without the cap rule.
+  /// @param cap  T of the cap rule.
   Strip(const Decomposition& links, std::size_t num_edges, StripSize size, std::int32_t cap);
 
-  /// The placed neighbours of v. O(1).
-  Joined joined(Vertex v) const;
   /// True if v can be placed there. O(1) expected.
   bool fits(Vertex v, Site site) const;
-  /// Places v if that keeps the invariants; routes its edges to placed neighbours in the first
-  /// variants that fit. O(1) expected.
+  /// Places v if that keeps the invariants. O(1) expected.
   bool try_place(Vertex v, Site site);
-
-  /// Takes a placed vertex and its edges away.
-  void remove(Vertex v);
-
-  bool is_placed(Vertex v) const { return sites_[v].is_set(); }
-  const Site& site(Vertex v) const { return sites_[v]; }
-  const StripSize& size() const { return size_; }
-  const Roles& roles(Vertex v) const { return links_->at[v]; }
   /// Returns where all vertices stand, all of them placed.
   Placement placement() const;
 
  private:
-  /// Holds what placing one vertex would add: its arrival line and four edges at most.
+  /// Holds what placing one vertex would add: the lines of its edges and of an arrival, and for the
+  /// cap rule a point on the line of each edge.
   struct Plan {
-    std::array<Piece, 5> pieces;
-    std::array<Shape, 5> shapes;
-    std::array<Letters, 5> starts;
-    std::array<EdgeId, 5> edges;
-    std::size_t count = 0;
+    boost::container::static_vector<Piece, 5> lines;
+    boost::container::static_vector<std::pair<Shape, Letters>, 4> edges;
   };
 
-  /// False if the cell is taken or some edge to those neighbours can have no word there.
-  bool may_hold(Site site, const Joined& joined) const;
-  bool has_arrival(Vertex v) const { return links_->at[v][kGreenIn].to != kNobody; }
-  bool is_free(const Piece& piece, const Plan& plan) const;
-  bool may_join(ColourRole role, Site own, Site other) const;
-  bool make_plan(Vertex v, Site site, const Joined& joined, Plan& plan) const;
-  bool plan_arrival(Vertex v, Site site, Plan& plan) const;
-  bool plan_edge(ColourRole role, Site own, Site other, EdgeId edge, Plan& plan) const;
-  Piece piece_of(const Shape& shape, Site tail, Site head) const;
-  void commit(Vertex v, Site site, const Plan& plan);
+  bool make_plan(Vertex v, Site site, Plan& plan) const;
+  bool plan_edge(bool red, Site tail, Site head, Plan& plan) const;
+  bool plan_line(std::uint64_t line, Plan& plan) const;
 
   const Decomposition* links_;  ///< never null
+  std::size_t num_edges_;
   StripSize size_;
   UnwrittenVector<Site> sites_;
-  std::vector<std::uint8_t> variant_;
   TakenPlaces taken_;
   strips::Lines lines_;
-  std::optional<Caps> caps_;
+  Caps caps_;
 };
 
 }  // namespace ar3d::compact

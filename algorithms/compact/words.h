@@ -93,7 +93,8 @@ struct MiddleLine {
   std::int32_t first;
   std::int32_t second;
   std::int32_t top;
-  std::size_t word;  ///< word_index
+  std::size_t word;      ///< word_index
+  std::uint64_t number;  ///< for strips: the line's in variant 0
 };
 
 /// Types and sides are as good as random, so they are indices and signs rather than branches.
@@ -106,6 +107,7 @@ inline MiddleLine middle_line(bool red, const PlacedEnd& tail, const PlacedEnd& 
   const std::int32_t along_c = sign * (head.form[1 - of_b] - tail.form[1 - of_b]);
   MiddleLine line;
   line.word = word_index(red, tail.type, head.type, right);
+  line.number = 0;
   std::int32_t form = 0;
   if (red) {
     line.length = {along_b, along_c, along_ad};

@@ -53,8 +53,8 @@ Zones lay_out_zones(const std::vector<std::int64_t>& sizes) {
   return zones;
 }
 
-Strip fill_zones(const Graph& graph, const Decomposition& links, RandomStream random,
-                 Census& census, bool random_trials) {
+Placement fill_zones(const Graph& graph, const Decomposition& links, RandomStream random,
+                     Census& census, bool random_trials) {
   const Vertex n = graph.num_vertices();
   const std::vector<std::uint8_t> colours = greedy_colours(graph);
   const Zones zones = lay_out_zones(strips::sizes_of(colours));
@@ -74,7 +74,7 @@ Strip fill_zones(const Graph& graph, const Decomposition& links, RandomStream ra
     const bool placed = strips::place_in_turn(cells, trials, accept, random, census);
     expect(placed, "a zone has a cell for each of its vertices");
   }
-  return strip;
+  return strip.placement();
 }
 
 }  // namespace ar3d::compact

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/compact_120/fill.h"
@@ -16,12 +17,9 @@ namespace {
 
 constexpr int kTrials = 12;
 
-/// Columns, or rows, from `low` to `high`.
-struct SiteRange {
-  std::int32_t low = 0;
-  std::int32_t high = -1;
-  bool is_empty() const { return low > high; }
-};
+/// Columns, or rows, from the first to the last; there are none if the first is larger.
+using SiteRange = std::pair<std::int32_t, std::int32_t>;
+constexpr SiteRange kNone = {0, -1};
 
 std::int32_t quotient_down(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
@@ -39,8 +37,8 @@ class OrderedPlacer {
 
   bool place(Vertex v) {
     strip_.ask_for_neighbours(v + kAhead);
-    const SiteRange columns = columns_for(v);
-    if (columns.is_empty()) {
+    const auto [left, right] = columns_for(v);
+    if (left > right) {
       strip_.ask_for_edges_of_neighbours(v);
       return false;
     }
@@ -48,14 +46,14 @@ class OrderedPlacer {
       if (trial == kTrials / 3) strip_.ask_for_edges_of_neighbours(v);
       if (trial == 2 * kTrials / 3) strip_.ask_for_removal_of_neighbours(v);
       ++census_.trials;
-      Site site{pick(columns), 0, strip_.links().of[v]};
-      const SiteRange rows = rows_for(v, site);
-      if (rows.is_empty()) continue;
-      site.row = pick(rows);
+      Site site{pick(left, right), 0, strip_.links().of[v]};
+      const auto [low, high] = rows_for(v, site);
+      if (low > high) continue;
+      site.row = pick(low, high);
       const std::int32_t start = site.row;
-      site.row = strip_.free().next_row(site, rows.high);
-      if (site.row > rows.high) {
-        site.row = rows.low;
+      site.row = strip_.free().next_row(site, high);
+      if (site.row > high) {
+        site.row = low;
         site.row = strip_.free().next_row(site, start);
         if (site.row > start) continue;
       }
@@ -75,9 +73,9 @@ class OrderedPlacer {
   void remove(Vertex v) { strip_.remove(v); }
 
  private:
-  std::int32_t pick(SiteRange range) {
-    return range.low + static_cast<std::int32_t>(
-                           random_.below(static_cast<std::uint32_t>(range.high - range.low + 1)));
+  std::int32_t pick(std::int32_t low, std::int32_t high) {
+    return low +
+           static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(high - low + 1)));
   }
 
   /// The columns where v belongs: of class N those that hold as many vertices of N as have its
@@ -102,17 +100,17 @@ class OrderedPlacer {
 
   /// Returns those of them that the placed neighbours leave.
   SiteRange columns_for(Vertex v) const {
-    SiteRange range = home(v);
+    auto [low, high] = home(v);
     for (const ArmLink& link : strip_.links().at[v]) {
       if (!link.is_set() || !strip_.is_placed(link.to)) continue;
       const std::int32_t at = strip_.site(link.to).column;
       if (link.is_right != 0) {
-        range.high = std::min(range.high, at);
+        high = std::min(high, at);
       } else {
-        range.low = std::max(range.low, at);
+        low = std::max(low, at);
       }
     }
-    return range;
+    return {low, high};
   }
 
   /// The rows of the column in which all lengths to placed neighbours are at least 1: with d the
@@ -126,7 +124,7 @@ class OrderedPlacer {
       if (!link.is_set() || !strip_.is_placed(link.to)) continue;
       const Site& other = strip_.site(link.to);
       const std::int32_t across = (t_of(other) - t) * (link.is_right != 0 ? 1 : -1);
-      if (across <= 0) return {};
+      if (across <= 0) return kNone;
       const std::int32_t shallow = 3 * across / 2 - 2;
       const std::int32_t deep = 5 * across / 2 - 2;
       const std::int32_t at = slant(other);
@@ -137,7 +135,7 @@ class OrderedPlacer {
       if ((link.is_out != 0) != link.is_steep()) {
         low = std::max(low, least);
       } else if (at < least) {
-        return {};
+        return kNone;
       }
     }
     return {quotient_down(low - base + 3, 4), quotient_down(high - base, 4)};

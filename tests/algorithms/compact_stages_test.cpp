@@ -3,7 +3,6 @@
 
 #include <set>
 
-#include "algorithms/compact_plain_narrow.h"
 #include "algorithms/strips_support.h"
 #include "ar3d/algorithms/strips/search.h"
 #include "ar3d/generators/catalog.h"
@@ -140,15 +139,6 @@ TEST(CompactLines, AreDifferentForDifferentLetters) {
   EXPECT_NE(line_key(LineKind::upper_c, at), line_key(LineKind::lower_c, at));
   const Letters far{-(1 << 24), 1 << 24, 1 << 24, 1 << 24};
   EXPECT_NE(line_key(LineKind::lower_c, far), line_key(LineKind::lower_c, at));
-}
-
-TEST(CompactStrip, GivesBackWhatAVertexUsed) {
-  const Graph graph = random_regular(60);
-  const Decomposition links = decompose(graph);
-  Census census;
-  std::optional<Strip> strip = fill_plainly(links, graph.num_edges(), {}, RandomStream(1), census);
-  ASSERT_TRUE(strip);
-  testing::expect_gives_back(*strip, graph.num_vertices());
 }
 
 TEST(CompactNarrowStrips, AreGivenUpAfterTheirEjections) {

@@ -39,9 +39,9 @@ inline Drawing compact_zones_by_scans(const Graph& graph) {
   const compact::Decomposition links = compact::decompose(graph);
   compact::Census census;
   const auto strip = compact::fill_zones(graph, links, RandomStream(1), census, false);
-  Drawing drawing = compact::lift(graph, links, strip.placement());
+  Drawing drawing = compact::lift(graph, links, strip);
   drawing.counters = {{"scans", census.scans}};
-  drawing.instance_bound = compact::box_of(strip.size());
+  drawing.instance_bound = compact::box_of(strip.size);
   return drawing;
 }
 
@@ -167,18 +167,6 @@ void expect_few_closed(Strip& strip, Vertex v, const std::vector<Site>& sites, s
   ASSERT_LE(static_cast<std::int64_t>(sites.size() - open.size()), most);
   ASSERT_GT(static_cast<std::int64_t>(sites.size()), most);
   ASSERT_TRUE(strip.try_place(v, open.at(0)));
-}
-
-/// Expects that a vertex's place and lines are free again once it is taken away.
-template <class Strip>
-void expect_gives_back(Strip& strip, Vertex n) {
-  for (Vertex v = 0; v < n; ++v) {
-    const auto site = strip.site(v);
-    EXPECT_FALSE(strip.fits((v + 1) % n, site));
-    strip.remove(v);
-    EXPECT_FALSE(strip.is_placed(v));
-    ASSERT_TRUE(strip.try_place(v, site)) << "the edges' first variants may differ, but one fits";
-  }
 }
 
 /// Tests of both algorithms, each named after it.

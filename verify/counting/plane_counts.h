@@ -35,30 +35,26 @@ class PlaneFamily {
   /// True if 32 bits hold every value of its functionals for coordinates up to `largest`.
   bool fits(std::int64_t largest) const;
   /// A number of the segment's plane that differs for all planes, spread over 32 bits.
-  std::uint32_t plane_of(const PlacedSegment& s) const { return plane_(s); }
+  std::uint32_t plane_of(const PlacedSegment& s) const { return value(plane_, s); }
   /// @param side  0 for a row, of direction i; 1 for a column, of direction j.
   PlaneRecord record(const PlacedSegment& s, std::size_t side) const {
-    return {plane_(s), static_cast<std::int32_t>(at_[side](s)),
-            static_cast<std::int32_t>(at_[1 - side](s)),
+    return {plane_of(s), static_cast<std::int32_t>(value(at_[side], s)),
+            static_cast<std::int32_t>(value(at_[1 - side], s)),
             static_cast<std::uint32_t>(s.steps) * speed_[side]};
   }
 
  private:
   /// Modulo 2^32.
-  struct Functional {
-    std::uint32_t x = 0;
-    std::uint32_t y = 0;
-    std::uint32_t z = 0;
-    std::uint32_t operator()(const PlacedSegment& s) const {
-      return x * static_cast<std::uint32_t>(s.x) + y * static_cast<std::uint32_t>(s.y) +
-             z * static_cast<std::uint32_t>(s.z);
-    }
-  };
+  using Functional = std::array<std::uint32_t, 3>;
+  static std::uint32_t value(const Functional& f, const PlacedSegment& s) {
+    return f[0] * static_cast<std::uint32_t>(s.x) + f[1] * static_cast<std::uint32_t>(s.y) +
+           f[2] * static_cast<std::uint32_t>(s.z);
+  }
 
   Vector normal_;
   std::array<Vector, 2> across_;  ///< [side] is constant along that side's direction
-  Functional plane_;
-  std::array<Functional, 2> at_;
+  Functional plane_{};
+  std::array<Functional, 2> at_{};
   std::array<std::uint32_t, 2> speed_{};  ///< how far a step of a side runs across the other; > 0
 };
 

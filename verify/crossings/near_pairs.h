@@ -41,11 +41,8 @@ struct Piece {
 /// than all rounding (Lemma V.7).
 inline constexpr double kMargin = 0x1p-22;
 
-/// A plane at right angles to an axis. Its place counts in units of 2^-shift lattice units.
-struct Cut {
-  std::size_t axis = 0;
-  std::int64_t place = 0;
-};
+/// A plane at right angles to an axis: the axis, and its place in units of 2^-shift lattice units.
+using Cut = std::pair<std::size_t, std::int64_t>;
 
 /// Says by how many bits planes may stand finer than the lattice, for each axis.
 using Shifts = std::array<unsigned, 3>;
@@ -148,13 +145,14 @@ class Search {
   /// Appends what is below the plane, then what is above it. @return where that begins.
   std::size_t split(std::size_t begin, Cut cut) {
     const std::size_t end = pieces_.size();
-    const unsigned shift = shifts_[cut.axis];
+    const auto [axis, place] = cut;
+    const unsigned shift = shifts_[axis];
     above_.clear();
     for (std::size_t i = begin; i < end; ++i) {
       const Piece piece = pieces_[i];
       const SegmentInSpace s = at_(piece.segment);
-      const Parts parts = cut_piece(piece, component(s.from, cut.axis) << shift,
-                                    component(s.step, cut.axis) << shift, cut.place);
+      const Parts parts = cut_piece(piece, component(s.from, axis) << shift,
+                                    component(s.step, axis) << shift, place);
       if (parts.has_below) pieces_.push_back(parts.below);
       if (parts.has_above) above_.push_back(parts.above);
     }
