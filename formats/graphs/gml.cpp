@@ -40,21 +40,18 @@ class GmlParser final : public GraphParser {
   }
 
   Graph read_graph() {
-    struct Ends {
-      std::string source, target;
-      std::size_t at = 0;
-    };
-    std::vector<Ends> edges;
+    std::vector<std::array<TextWord, 2>> edges;  // both ends, at the edge's place
     graph_ = GatheredGraph();
     read_list([&](const TextWord& key) {
       const bool is_list = words_.peek().is("[");
       if (key.text == "node" && is_list) {
         read_node(key);
       } else if (key.text == "edge" && is_list) {
-        Ends& ends = edges.emplace_back(Ends{"", "", key.at});
+        std::array<TextWord, 2>& ends = edges.emplace_back();
+        ends[0].at = ends[1].at = key.at;
         read_list([&](const TextWord& inner) {
-          if (inner.text == "source") return ends.source = value_of(inner), void();
-          if (inner.text == "target") return ends.target = value_of(inner), void();
+          if (inner.text == "source") return ends[0].text = value_of(inner), void();
+          if (inner.text == "target") return ends[1].text = value_of(inner), void();
           skip_value(inner);
         });
       } else if (key.text == "directed") {
@@ -65,9 +62,9 @@ class GmlParser final : public GraphParser {
         skip_value(key);
       }
     });
-    for (const Ends& ends : edges) {
-      const Vertex source = end_of(ends.source, ends.at);
-      graph_.join(source, end_of(ends.target, ends.at), ends.at);
+    for (const auto& [source, target] : edges) {
+      const Vertex u = end_of(source);
+      graph_.join(u, end_of(target), source.at);
     }
     return graph_.finish(options_, false,
                          [&](std::size_t at, const std::string& why) { words_.fail(at, why); });
@@ -86,9 +83,10 @@ class GmlParser final : public GraphParser {
     const Vertex v = graph_.vertex(*id);
     if (!label.empty()) graph_.set_name(v, label);
   }
-  Vertex end_of(const std::string& id, std::size_t at) const {
-    if (const std::optional<Vertex> found = graph_.find(id)) return *found;
-    words_.fail(at, fmt::format("an edge ends at {}, which is no node of this graph", shown(id)));
+  Vertex end_of(const TextWord& end) const {
+    if (const std::optional<Vertex> found = graph_.find(end.text)) return *found;
+    words_.fail(end.at,
+                fmt::format("an edge ends at {}, which is no node of this graph", shown(end.text)));
   }
 
   std::string value_of(const TextWord& key) {
