@@ -31,14 +31,8 @@ class HashStream {
   template <class Integer>
   void append(Integer value) {
     if (sizeof value > buffer_.size() - used_) flush();
-    unsigned char* to = buffer_.data() + used_;
-    if constexpr (std::endian::native == std::endian::little) {
-      std::memcpy(to, &value, sizeof value);
-    } else {
-      for (std::size_t i = 0; i < sizeof value; ++i) {
-        to[i] = static_cast<unsigned char>(value >> (8 * i));
-      }
-    }
+    static_assert(std::endian::native == std::endian::little);
+    std::memcpy(buffer_.data() + used_, &value, sizeof value);
     used_ += sizeof value;
   }
   void flush();

@@ -14,23 +14,22 @@ namespace {
 
 constexpr std::size_t kPage = std::size_t{1} << 21;
 
-/// An array that nothing uses.
-struct Spare {
-  void* array = nullptr;
-  std::size_t bytes = 0;
-};
-thread_local std::vector<Spare>* spares = nullptr;  // null: no LongArrayReuse lives
+// Arrays that nothing uses; null: no LongArrayReuse lives.
+thread_local std::vector<void*>* spares = nullptr;
 
 /// The smallest spare array of at least so many bytes and at most twice as many; null if none is.
 void* take_spare(std::size_t bytes) {
   auto best = spares->end();
+  std::size_t least = 2 * bytes + 2;
   for (auto spare = spares->begin(); spare != spares->end(); ++spare) {
-    if (spare->bytes < bytes || spare->bytes / 2 > bytes) continue;
-    if (best == spares->end() || spare->bytes < best->bytes) best = spare;
+    const std::size_t size = malloc_usable_size(*spare);
+    if (size < bytes || size >= least) continue;
+    best = spare;
+    least = size;
   }
   if (best == spares->end()) return nullptr;
-  void* const array = best->array;
-  *best = spares->back();
+  std::swap(*best, spares->back());
+  void* const array = spares->back();
   spares->pop_back();
   return array;
 }
@@ -62,20 +61,20 @@ void* allocate_long_array(std::size_t bytes) {
 void free_long_array(void* array) noexcept {
   // Within the room that was reserved, so nothing is thrown.
   if (spares == nullptr || spares->size() == spares->capacity()) return std::free(array);
-  spares->push_back({array, malloc_usable_size(array)});
+  spares->push_back(array);
 }
 
 LongArrayReuse::LongArrayReuse() : is_outermost_(spares == nullptr) {
   constexpr std::size_t kMost = 64;
   if (!is_outermost_) return;
-  auto room = std::make_unique<std::vector<Spare>>();
+  auto room = std::make_unique<std::vector<void*>>();
   room->reserve(kMost);
   spares = room.release();
 }
 
 LongArrayReuse::~LongArrayReuse() {
   if (!is_outermost_) return;
-  for (const Spare& spare : *spares) std::free(spare.array);
+  for (void* const array : *spares) std::free(array);
   delete spares;
   spares = nullptr;
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -21,9 +22,9 @@ inline constexpr std::size_t kReusableBytes = std::size_t{1} << 19;
 /// Allocates as std::allocator; arrays of kLeast bytes and more get pages of 2 MiB and can be used
 /// again. Elements that are not initialised are all written before they are read: a long array then
 /// gets its memory where its threads write, not in one thread.
-template <class T, bool initialises>
+template <class T, class Initialises>
 struct LongAllocator : std::allocator<T> {
-  static constexpr std::size_t kLeast = initialises ? kReusableBytes : kLongArrayBytes;
+  static constexpr std::size_t kLeast = Initialises::value ? kReusableBytes : kLongArrayBytes;
   T* allocate(std::size_t count) {
     if (count > std::numeric_limits<std::size_t>::max() / sizeof(T) || count * sizeof(T) < kLeast) {
       return std::allocator<T>::allocate(count);
@@ -34,21 +35,17 @@ struct LongAllocator : std::allocator<T> {
     if (count * sizeof(T) < kLeast) return std::allocator<T>::deallocate(array, count);
     free_long_array(array);
   }
-  template <class U>
-  struct rebind {
-    using other = LongAllocator<U, initialises>;
-  };
   template <class U, class... Arguments>
   void construct(U* place, Arguments&&... arguments) {
-    if constexpr (initialises || sizeof...(Arguments) > 0) {
+    if constexpr (Initialises::value || sizeof...(Arguments) > 0) {
       std::construct_at(place, std::forward<Arguments>(arguments)...);
     }
   }
 };
 template <class T>
-using UnwrittenVector = std::vector<T, LongAllocator<T, false>>;
+using UnwrittenVector = std::vector<T, LongAllocator<T, std::false_type>>;
 template <class T>
-using LongVector = std::vector<T, LongAllocator<T, true>>;
+using LongVector = std::vector<T, LongAllocator<T, std::true_type>>;
 
 /// Asks for pages of 2 MiB for memory that is about to be written, if it is long enough
 /// (kLongArrayBytes). Advice: may be refused.

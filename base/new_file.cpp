@@ -63,6 +63,10 @@ void refuse_writing(const std::string& path, int reason) {
       fmt::format("cannot write {}: {}", path.empty() ? "''" : path, std::strerror(reason)));
 }
 
+void refuse_reading(const std::string& path, int reason) {
+  throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(reason)));
+}
+
 void write_all(int descriptor, std::span<const char> bytes, const std::string& path) {
   if (write_whole(descriptor, bytes) < bytes.size()) refuse_writing(path, errno);
 }

@@ -91,8 +91,9 @@ Descriptor open_input(const std::string& path);
 /// Writes all bytes to an open file. @throws InputError naming the path and the system's reason.
 void write_all(int descriptor, std::span<const char> bytes, const std::string& path);
 
-/// @throws InputError that the path cannot be written, for the reason errno.
+/// @throws InputError that the path cannot be written, or read, for the reason errno.
 [[noreturn]] void refuse_writing(const std::string& path, int reason);
+[[noreturn]] void refuse_reading(const std::string& path, int reason);
 
 /// Returns a name beside `target` that no other process uses, be it in another container or on
 /// another machine. @throws InputError if the system has no random number.

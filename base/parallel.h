@@ -30,27 +30,18 @@ void for_each_in_threads(std::uint32_t threads, std::size_t size,
                          const std::function<void(std::uint32_t, std::size_t)>& work,
                          std::size_t chunk = 1);
 
-/// Represents the numbers below a size in blocks that threads take one at a time.
-class IndexRanges {
- public:
-  explicit IndexRanges(std::size_t size) : size_(size) {}
-  std::size_t count() const { return (size_ + kBlock - 1) / kBlock; }
-  /// Returns the begin and end of block i.
-  std::pair<std::size_t, std::size_t> operator[](std::size_t i) const {
-    return {i * kBlock, std::min(size_, (i + 1) * kBlock)};
-  }
-
- private:
-  static constexpr std::size_t kBlock = std::size_t{1} << 14;
-  std::size_t size_;
-};
+/// Returns in how many blocks threads take the numbers below a size, and begin and end of block i.
+inline constexpr std::size_t kIndexBlock = std::size_t{1} << 14;
+inline std::size_t blocks_below(std::size_t size) { return (size + kIndexBlock - 1) / kIndexBlock; }
+inline std::pair<std::size_t, std::size_t> block_below(std::size_t size, std::size_t i) {
+  return {i * kIndexBlock, std::min(size, (i + 1) * kIndexBlock)};
+}
 
 /// Calls work(thread, begin, end) for ranges that cover 0 .. size - 1, in threads.
 template <class Work>
 void for_ranges_in_threads(std::uint32_t threads, std::size_t size, const Work& work) {
-  const IndexRanges blocks(size);
-  for_each_in_threads(threads, blocks.count(), [&](std::uint32_t thread, std::size_t i) {
-    const auto [begin, end] = blocks[i];
+  for_each_in_threads(threads, blocks_below(size), [&](std::uint32_t thread, std::size_t i) {
+    const auto [begin, end] = block_below(size, i);
     work(thread, begin, end);
   });
 }

@@ -24,12 +24,8 @@ bool is_printable(std::uint32_t c) {
   return c < 0x2066 || c > 0x2069;                             // isolates
 }
 
-struct Character {
-  std::uint32_t code = 0;
-  std::size_t length = 0;  ///< 0: no UTF-8 begins here
-};
-
-Character character_at(std::string_view text, std::size_t i) {
+// The character that begins there, and its length; 0 if no UTF-8 begins there.
+std::pair<std::uint32_t, std::size_t> character_at(std::string_view text, std::size_t i) {
   auto at = text.begin() + static_cast<std::ptrdiff_t>(i);
   const auto begin = at;
   const std::uint32_t code = boost::locale::utf::utf_traits<char>::decode(at, text.end());
@@ -61,7 +57,7 @@ std::string printable(std::string_view text) {
 std::string valid_utf8(std::string_view text) {
   std::string valid;
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = character_at(text, i).length;
+    const std::size_t length = character_at(text, i).second;
     valid += length > 0 ? text.substr(i, length) : std::string_view("\uFFFD");
     i += std::max<std::size_t>(length, 1);
   }

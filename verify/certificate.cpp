@@ -73,16 +73,16 @@ class ExaminationPass {
     const bool is_ordered = parts_.metrics || parts_.hash;
     std::vector<verify::SummaryPass> summaries;  // of the threads
     for (std::uint32_t t = 0; t < threads_ && !is_ordered; ++t) summaries.emplace_back(drawing_);
-    const IndexRanges edges(drawing_.num_edges());
-    const IndexRanges vertices(is_ordered ? 0 : drawing_.num_vertices());
+    const std::size_t m = drawing_.num_edges(), n = is_ordered ? 0 : drawing_.num_vertices();
+    const std::size_t of_edges = blocks_below(m);
     for_each_in_threads(
-        threads_, 1 + edges.count() + vertices.count(), [&](std::uint32_t thread, std::size_t i) {
+        threads_, 1 + of_edges + blocks_below(n), [&](std::uint32_t thread, std::size_t i) {
           if (i == 0) {
             if (is_ordered) run_in_order(false);
             return;
           }
-          const bool takes_edges = i <= edges.count();
-          const auto range = takes_edges ? edges[i - 1] : vertices[i - 1 - edges.count()];
+          const bool takes_edges = i <= of_edges;
+          const auto range = takes_edges ? block_below(m, i - 1) : block_below(n, i - 1 - of_edges);
           const auto [begin, end] = std::pair<std::uint32_t, std::uint32_t>(range);
           if (!takes_edges) return summaries[thread].add_vertices(begin, end);
           for_each_polyline(drawing_, begin, end, [&](EdgeId e, const std::vector<Point>& points) {
