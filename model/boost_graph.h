@@ -5,11 +5,14 @@
 // VertexListGraph and EdgeListGraph. Include this header before calling Boost's algorithms on an
 // ar3d::Graph.
 
+#include <boost/graph/adjacency_iterator.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/transform_iterator.hpp>
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -32,16 +35,12 @@ struct EdgeAt {
   const Graph* graph = nullptr;
   BoostEdge operator()(EdgeId e) const { return {graph->edge(e).u, graph->edge(e).v, e}; }
 };
-struct OutEdge {
-  Vertex from = 0;
-  BoostEdge operator()(const HalfEdge& half) const { return {from, half.to, half.edge}; }
-};
-struct InEdge {
-  Vertex to = 0;
-  BoostEdge operator()(const HalfEdge& half) const { return {half.to, to, half.edge}; }
-};
-struct OtherEnd {
-  Vertex operator()(const HalfEdge& half) const { return half.to; }
+template <bool leads_out>
+struct EdgeOfHalf {
+  Vertex at = 0;
+  BoostEdge operator()(const HalfEdge& half) const {
+    return {leads_out ? at : half.to, leads_out ? half.to : at, half.edge};
+  }
 };
 struct TraversalCategory : boost::bidirectional_graph_tag,
                            boost::adjacency_graph_tag,
@@ -64,11 +63,11 @@ struct boost::graph_traits<ar3d::Graph> {
   using edge_iterator =
       boost::transform_iterator<ar3d::boost_detail::EdgeAt, boost::counting_iterator<ar3d::EdgeId>>;
   using out_edge_iterator =
-      boost::transform_iterator<ar3d::boost_detail::OutEdge, const ar3d::HalfEdge*>;
+      boost::transform_iterator<ar3d::boost_detail::EdgeOfHalf<true>, const ar3d::HalfEdge*>;
   using in_edge_iterator =
-      boost::transform_iterator<ar3d::boost_detail::InEdge, const ar3d::HalfEdge*>;
+      boost::transform_iterator<ar3d::boost_detail::EdgeOfHalf<false>, const ar3d::HalfEdge*>;
   using adjacency_iterator =
-      boost::transform_iterator<ar3d::boost_detail::OtherEnd, const ar3d::HalfEdge*>;
+      boost::adjacency_iterator_generator<ar3d::Graph, ar3d::Vertex, out_edge_iterator>::type;
   static vertex_descriptor null_vertex() { return static_cast<ar3d::Vertex>(-1); }
 };
 template <>  // some algorithms of Boost ask for the traits of the const type
@@ -106,22 +105,16 @@ inline std::pair<BoostTraits::in_edge_iterator, BoostTraits::in_edge_iterator> i
 }
 inline std::pair<BoostTraits::adjacency_iterator, BoostTraits::adjacency_iterator>
 adjacent_vertices(Vertex v, const Graph& g) {
-  const auto row = g.incident(v);
-  return {{row.data(), {}}, {row.data() + row.size(), {}}};
+  const auto [begin, end] = out_edges(v, g);
+  return {{begin, &g}, {end, &g}};
 }
 
 /// Boost's edge_index map: the edge's number, in Graph's order.
-struct EdgeIndexMap {
-  using value_type = EdgeId;
-  using reference = EdgeId;
-  using key_type = BoostEdge;
-  using category = boost::readable_property_map_tag;
-  friend EdgeId get(const EdgeIndexMap&, const BoostEdge& e) { return e.id; }
-  EdgeId operator[](const BoostEdge& e) const { return e.id; }
-};
+using EdgeIndexMap =
+    boost::function_property_map<decltype(std::mem_fn(&BoostEdge::id)), BoostEdge, EdgeId>;
 inline boost::identity_property_map get(boost::vertex_index_t, const Graph&) { return {}; }
 inline Vertex get(boost::vertex_index_t, const Graph&, Vertex v) { return v; }
-inline EdgeIndexMap get(boost::edge_index_t, const Graph&) { return {}; }
+inline EdgeIndexMap get(boost::edge_index_t, const Graph&) { return std::mem_fn(&BoostEdge::id); }
 inline EdgeId get(boost::edge_index_t, const Graph&, const BoostEdge& e) { return e.id; }
 
 /// Builds a Graph from any model of VertexListGraph and EdgeListGraph; vertices are numbered

@@ -153,41 +153,34 @@ std::uint64_t sort_in_bins(std::uint64_t n, std::span<const Edge> edges,
 constexpr EdgeId kInChunk = kChunkEdges - 1;
 constexpr Vertex kInBin = kBinVertices - 1;
 
-AdjacencyLists unwritten_lists(std::uint64_t n, std::uint64_t m) {
-  AdjacencyLists lists;
-  lists.offsets.resize(n + 1);
-  lists.offsets[n] = static_cast<std::uint32_t>(2 * m);
-  lists.half_edges.resize(2 * m);
-  return lists;
-}
-
 /// The offsets count the ends at each vertex, then name the end of its list; filled from the last
 /// edge to the first, every list ends with its offset at its first half-edge.
-AdjacencyLists counted_lists(std::uint64_t n, std::span<const Edge> edges) {
-  AdjacencyLists lists = unwritten_lists(n, edges.size());
-  std::uint32_t* const offsets = lists.offsets.data();
+/// @return the largest degree.
+std::uint32_t count_lists(std::uint64_t n, std::span<const Edge> edges, std::uint32_t* offsets,
+                          HalfEdge* half_edges) {
   std::fill(offsets, offsets + n, 0u);
   for (const auto [u, v] : edges) {
     ++offsets[u];
     ++offsets[v];
   }
-  std::uint32_t place = 0;
+  std::uint32_t place = 0, max_degree = 0;
   for (std::uint64_t v = 0; v < n; ++v) {
-    lists.max_degree = std::max(lists.max_degree, offsets[v]);
+    max_degree = std::max(max_degree, offsets[v]);
     place = offsets[v] += place;
   }
   for (std::size_t e = edges.size(); e-- > 0;) {
     const auto [u, v] = edges[e];
-    lists.half_edges[--offsets[u]] = {v, static_cast<EdgeId>(e)};
-    lists.half_edges[--offsets[v]] = {u, static_cast<EdgeId>(e)};
+    half_edges[--offsets[u]] = {v, static_cast<EdgeId>(e)};
+    half_edges[--offsets[v]] = {u, static_cast<EdgeId>(e)};
   }
-  return lists;
+  return max_degree;
 }
 
 class BinnedLists {
  public:
-  BinnedLists(std::uint64_t n, std::span<const Edge> edges)
-      : edges_(edges), bins_(n, edges), lists_(unwritten_lists(n, edges.size())) {
+  BinnedLists(std::uint64_t n, std::span<const Edge> edges, std::uint32_t* offsets,
+              HalfEdge* half_edges)
+      : edges_(edges), bins_(n, edges), offsets_(offsets), half_edges_(half_edges) {
     for (std::uint64_t bin = 0; bin <= bins_.bins(); ++bin) {
       const auto first = std::partition_point(
           edges.begin(), edges.end(), [&](Edge edge) { return edge.u < bins_.first_vertex(bin); });
@@ -195,12 +188,13 @@ class BinnedLists {
     }
   }
 
-  AdjacencyLists build() && {
+  /// Writes the lists. @return the largest degree.
+  std::uint32_t build() {
     const auto large_end = [](Edge edge) { return edge.v; };
     bins_.count(large_end);
     bins_.place([&](std::uint64_t bin) { return first_edge_[bin + 1] - first_edge_[bin]; });
     bins_.deal(large_end, [&](Edge edge, std::uint32_t number, std::uint32_t place) {
-      lists_.half_edges[place] = {edge.u, (edge.v & kInBin) << kChunkBits | number};
+      half_edges_[place] = {edge.u, (edge.v & kInBin) << kChunkBits | number};
     });
     std::vector<std::uint32_t> max_degree(bins_.threads(), 0);
     std::vector<UnwrittenVector<HalfEdge>> dealt(bins_.threads());
@@ -208,14 +202,13 @@ class BinnedLists {
         bins_.threads(), bins_.bins(), [&](std::uint32_t thread, std::uint64_t bin) {
           max_degree[thread] = std::max(max_degree[thread], sort_bin(bin, dealt[thread]));
         });
-    lists_.max_degree = *std::max_element(max_degree.begin(), max_degree.end());
-    return std::move(lists_);
+    return *std::max_element(max_degree.begin(), max_degree.end());
   }
 
  private:
   /// Writes the lists of the bin's vertices. @return their largest degree.
   std::uint32_t sort_bin(std::uint64_t bin, UnwrittenVector<HalfEdge>& dealt) {
-    HalfEdge* const half_edges = lists_.half_edges.data();
+    HalfEdge* const half_edges = half_edges_;
     const std::uint32_t begin = bins_.begin(bin);
     dealt.assign(half_edges + begin, half_edges + bins_.end(bin));
     const auto first = static_cast<Vertex>(bins_.first_vertex(bin));
@@ -227,7 +220,7 @@ class BinnedLists {
     std::uint32_t place = begin;
     for (std::uint64_t v = first; v < bins_.end_vertex(bin); ++v) {
       place += std::exchange(next[v - first], place);
-      lists_.offsets[v] = next[v - first];
+      offsets_[v] = next[v - first];
     }
     std::size_t i = 0;
     for (std::uint64_t chunk = 0; chunk < bins_.chunks(); ++chunk) {
@@ -245,7 +238,8 @@ class BinnedLists {
   std::span<const Edge> edges_;
   Bins bins_;
   std::vector<EdgeId> first_edge_;  // of the bin's smaller ends
-  AdjacencyLists lists_;
+  std::uint32_t* offsets_;
+  HalfEdge* half_edges_;
 };
 
 }  // namespace
@@ -282,9 +276,16 @@ std::uint64_t make_canonical(std::uint64_t n, std::vector<Edge>& edges) {
 // dealt to bins. A dealt half-edge holds its vertex within the bin and its edge
 // within the chunk in place of the edge; bin and chunk follow from its place.
 
-AdjacencyLists adjacency_lists(std::uint64_t n, std::span<const Edge> edges) {
-  if (!worth_binning(n, edges.size())) return counted_lists(n, edges);
-  return BinnedLists(n, edges).build();
+std::uint32_t make_adjacency_lists(std::uint64_t n, std::span<const Edge> edges,
+                                   UnwrittenVector<std::uint32_t>& offsets,
+                                   UnwrittenVector<HalfEdge>& half_edges) {
+  offsets.resize(n + 1);
+  offsets[n] = static_cast<std::uint32_t>(2 * edges.size());
+  half_edges.resize(2 * edges.size());
+  if (worth_binning(n, edges.size())) {
+    return BinnedLists(n, edges, offsets.data(), half_edges.data()).build();
+  }
+  return count_lists(n, edges, offsets.data(), half_edges.data());
 }
 
 }  // namespace ar3d

@@ -32,18 +32,14 @@ bool are_canonical(std::span<const Edge> edges);
 /// vertices with neighbouring names.
 std::uint64_t make_canonical(std::uint64_t n, std::vector<Edge>& edges);
 
-/// The adjacency lists of a graph, one behind the other: that of v is half_edges[offsets[v] ..
-/// offsets[v + 1]), ascending by neighbour and by edge.
-struct AdjacencyLists {
-  UnwrittenVector<std::uint32_t> offsets;  // n + 1
-  UnwrittenVector<HalfEdge> half_edges;    // 2m
-  std::uint32_t max_degree = 0;
-};
-
-/// The lists of m < 2^31 edges in canonical order between n vertices, on
-/// all threads (threads_for). Cost: O(n + m) time; while it runs n m / 2^30 bytes more than the
+/// Writes the adjacency lists of m < 2^31 edges in canonical order between n vertices, one behind
+/// the other, on all threads (threads_for). That of v is half_edges[offsets[v] .. offsets[v + 1]),
+/// ascending by neighbour and by edge.
+/// @return the largest degree. Cost: O(n + m) time; while it runs n m / 2^30 bytes more than the
 /// lists, and for each thread 8 bytes for each edge at the fullest 8192 vertices with neighbouring
 /// names.
-AdjacencyLists adjacency_lists(std::uint64_t n, std::span<const Edge> edges);
+std::uint32_t make_adjacency_lists(std::uint64_t n, std::span<const Edge> edges,
+                                   UnwrittenVector<std::uint32_t>& offsets,
+                                   UnwrittenVector<HalfEdge>& half_edges);
 
 }  // namespace ar3d

@@ -24,19 +24,16 @@ Points origins(std::size_t count) {
   return points;
 }
 
-/// The drawing's positions with other bends.
-Drawing stored(const Drawing& drawing, std::shared_ptr<const BendSource> bends) {
-  Coordinates vertices(drawing.num_vertices(), kMaxCoordinate);
-  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
-    vertices.set(v, drawing.vertex(static_cast<Vertex>(v)));
-  }
-  Drawing result(drawing.algorithm(), drawing.lattice(), std::move(vertices),
-                 drawing.shared_edges(), std::move(bends));
-  result.counters = drawing.counters;
-  result.instance_bound = drawing.instance_bound;
-  result.real = drawing.real;
-  result.names = drawing.names;
-  return result;
+/// Every bend, stored.
+std::shared_ptr<const BendSource> stored_bends(const Drawing& drawing) {
+  auto bends = std::make_shared<StoredBends>();
+  bends->reserve(drawing.num_edges(), count_bends(drawing));
+  std::vector<Point> between;
+  for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
+    between.assign(points.begin() + 1, points.end() - 1);
+    bends->add_edge(between);
+  });
+  return bends;
 }
 
 }  // namespace
@@ -110,14 +107,13 @@ Drawing::Drawing(std::string algorithm, Lattice lattice, Coordinates vertices,
 
 void Drawing::polyline(EdgeId e, std::vector<Point>& out) const {
   const Edge ends = edge(e);
-  polyline_between(e, ends, vertex(ends.u), vertex(ends.v), out);
+  polyline_between(e, vertex(ends.u), vertex(ends.v), out);
 }
 
-void Drawing::polyline_between(EdgeId e, Edge ends, Point at_u, Point at_v,
-                               std::vector<Point>& out) const {
+void Drawing::polyline_between(EdgeId e, Point at_u, Point at_v, std::vector<Point>& out) const {
   out.clear();
   out.push_back(at_u);
-  bends_->append_bends(e, ends, at_u, at_v, out);
+  bends_->append_bends(e, edge(e), at_u, at_v, out);
   out.push_back(at_v);
 }
 
@@ -183,21 +179,6 @@ std::string drawing_hash(const Drawing& drawing) {
   return hash.digest();
 }
 
-Drawing with_stored_positions(const Drawing& drawing) {
-  return stored(drawing, drawing.shared_bends());
-}
-
-Drawing with_stored_bends(const Drawing& drawing) {
-  auto bends = std::make_shared<StoredBends>();
-  bends->reserve(drawing.num_edges(), count_bends(drawing));
-  std::vector<Point> between;
-  for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
-    between.assign(points.begin() + 1, points.end() - 1);
-    bends->add_edge(between);
-  });
-  return stored(drawing, std::move(bends));
-}
-
 const char* to_string(Level level) {
   static constexpr std::array<const char*, 3> kNames = {"extents", "positions", "full"};
   return kNames.at(static_cast<std::size_t>(level));
@@ -213,15 +194,19 @@ Level parse_level(std::string_view text) {
 }
 
 Drawing at_level(Drawing drawing, Level level) {
-  switch (level) {
-    case Level::extents:
-      return drawing;
-    case Level::positions:
-      return with_stored_positions(drawing);
-    case Level::full:
-      return with_stored_bends(drawing);
+  if (level == Level::extents) return drawing;
+  Coordinates vertices(drawing.num_vertices(), kMaxCoordinate);
+  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
+    vertices.set(v, drawing.vertex(static_cast<Vertex>(v)));
   }
-  throw InternalError("internal error: no such level");
+  Drawing result(drawing.algorithm(), drawing.lattice(), std::move(vertices),
+                 drawing.shared_edges(),
+                 level == Level::full ? stored_bends(drawing) : drawing.shared_bends());
+  result.counters = drawing.counters;
+  result.instance_bound = drawing.instance_bound;
+  result.real = drawing.real;
+  result.names = drawing.names;
+  return result;
 }
 
 }  // namespace ar3d

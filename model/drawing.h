@@ -15,6 +15,7 @@
 #include "ar3d/base/hash_stream.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/lattice.h"
+#include "ar3d/model/settings.h"
 
 namespace ar3d {
 
@@ -115,13 +116,9 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
-/// Holds what an algorithm tells about its own run, by name (for example diamond's H). Columns of a
-/// study.
-struct Counter {
-  std::string name;
-  std::int64_t value = 0;
-  friend bool operator==(const Counter&, const Counter&) = default;
-};
+/// Holds what an algorithm tells about its own run, by name (for example diamond's H): written, and
+/// stored in a study, as settings are.
+using Counter = Setting;
 
 /// A polyline drawing on integer points with a rational Gram matrix. Immutable but for its
 /// annotations.
@@ -159,7 +156,7 @@ class Drawing {
   std::shared_ptr<const std::vector<std::string>> names;
 
  private:
-  void polyline_between(EdgeId e, Edge ends, Point at_u, Point at_v, std::vector<Point>& out) const;
+  void polyline_between(EdgeId e, Point at_u, Point at_v, std::vector<Point>& out) const;
 
   std::string algorithm_;
   Lattice lattice_;
@@ -175,13 +172,8 @@ class Drawing {
 /// memory.
 template <class Visit>
 void for_each_polyline(const Drawing& drawing, EdgeId begin, EdgeId end, Visit&& visit) {
-  static constexpr EdgeId kBlock = 32;  // 8, 32 and 128 take the same time
-  struct Placed {
-    Edge ends;
-    Point at_u;
-    Point at_v;
-  };
-  std::array<Placed, kBlock> block;
+  static constexpr EdgeId kBlock = 32;                // 8, 32 and 128 take the same time
+  std::array<std::pair<Point, Point>, kBlock> block;  // the ends of its edges
   std::vector<Point> points;
   const auto count_from = [end](EdgeId first) { return std::min<EdgeId>(kBlock, end - first); };
   const auto prefetch = [&](EdgeId first) {
@@ -196,12 +188,11 @@ void for_each_polyline(const Drawing& drawing, EdgeId begin, EdgeId end, Visit&&
     count = count_from(first);
     for (EdgeId i = 0; i < count; ++i) {
       const Edge ends = drawing.edge(first + i);
-      block[i] = {ends, drawing.vertex(ends.u), drawing.vertex(ends.v)};
+      block[i] = {drawing.vertex(ends.u), drawing.vertex(ends.v)};
     }
     prefetch(first + count);
     for (EdgeId i = 0; i < count; ++i) {
-      const Placed& placed = block[i];
-      drawing.polyline_between(first + i, placed.ends, placed.at_u, placed.at_v, points);
+      drawing.polyline_between(first + i, block[i].first, block[i].second, points);
       visit(first + i, std::as_const(points));
     }
   }
@@ -261,13 +252,6 @@ class DrawingHash {
   void put(const RealPoints& points);
   HashStream hash_;
 };
-
-/// The same drawing with its positions as 64-bit integers; 24 bytes per vertex.
-Drawing with_stored_positions(const Drawing& drawing);
-
-/// The same drawing with its positions as 64-bit integers and every bend stored; 24 bytes per
-/// vertex and bend, 8 per edge.
-Drawing with_stored_bends(const Drawing& drawing);
 
 /// Says how much of a drawing is stored while it is measured and judged. All that is told of it is
 /// the same at every level, bit for bit; time and memory differ.

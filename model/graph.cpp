@@ -76,10 +76,7 @@ Graph::Graph(std::uint64_t num_vertices, std::vector<Edge> edges) {
   const std::uint64_t repeating = make_canonical(num_vertices, edges);
   edges_ = std::make_shared<const std::vector<Edge>>(std::move(edges));
   if (repeating != num_vertices) refuse_parallel_edges(repeating);
-  AdjacencyLists lists = adjacency_lists(num_vertices, *edges_);
-  offsets_ = std::move(lists.offsets);
-  half_edges_ = std::move(lists.half_edges);
-  max_degree_ = lists.max_degree;
+  max_degree_ = make_adjacency_lists(num_vertices, *edges_, offsets_, half_edges_);
 }
 
 void Graph::refuse_parallel_edges(std::uint64_t repeating) const {

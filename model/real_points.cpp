@@ -81,14 +81,11 @@ void RealPointsBuilder::add_edge(std::vector<Point> bends) {
 
 RealPoints RealPointsBuilder::finish() const {
   int unit = std::numeric_limits<int>::max();
-  const auto look_at = [&](const DyadicNumber& number) {
-    if (number.integer != 0) unit = std::min(unit, number.exponent);
-  };
   for (const auto* list : {&vertices_, &bends_}) {
     for (const Point& point : *list) {
-      look_at(point.x);
-      look_at(point.y);
-      look_at(point.z);
+      for (const DyadicNumber& number : point) {
+        if (number.integer != 0) unit = std::min(unit, number.exponent);
+      }
     }
   }
   RealPoints points = points_;
@@ -96,7 +93,7 @@ RealPoints RealPointsBuilder::finish() const {
   const auto convert = [&](const std::vector<Point>& from, std::vector<BigPoint>& to) {
     to.reserve(from.size());
     for (const Point& p : from) {
-      to.push_back({in_units(p.x, unit), in_units(p.y, unit), in_units(p.z, unit)});
+      to.push_back({in_units(p[0], unit), in_units(p[1], unit), in_units(p[2], unit)});
     }
   };
   convert(vertices_, points.vertices);

@@ -51,11 +51,7 @@ class RealPointsBuilder {
  public:
   explicit RealPointsBuilder(std::string type) { points_.type = std::move(type); }
 
-  struct Point {
-    DyadicNumber x;
-    DyadicNumber y;
-    DyadicNumber z;
-  };
+  using Point = std::array<DyadicNumber, 3>;
   /// Vertices in order of their numbers, edges in order of theirs.
   void add_vertex(Point point) { vertices_.push_back(std::move(point)); }
   void add_edge(std::vector<Point> bends);

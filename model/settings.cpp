@@ -58,7 +58,9 @@ Settings parse_settings(std::string_view text) {
 std::string settings_text(const Settings& settings) {
   std::string text;
   for (const auto& [name, value] : settings) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ";", name, value);
+    const fmt::format_int digits(value);
+    if (!text.empty()) text += ';';
+    text.append(name).append("=").append(digits.data(), digits.size());
   }
   return text;
 }

@@ -14,17 +14,6 @@
 namespace ar3d {
 namespace {
 
-std::string counters_text(const std::vector<Counter>& counters) {
-  std::string text;
-  text.reserve(24 * counters.size());
-  for (const Counter& counter : counters) {
-    const fmt::format_int value(counter.value);
-    if (!text.empty()) text += ';';
-    text.append(counter.name).append("=").append(value.data(), value.size());
-  }
-  return text;
-}
-
 void record_verdict(RunRecord& run, const Certificate& certificate) {
   const bool is_judged = certificate.mode != CertificateMode::none;
   run.violations = is_judged ? static_cast<std::int64_t>(certificate.violations.size()) : -1;
@@ -220,7 +209,7 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
     drawing = at_level(std::move(drawing), choice.level);
     run.store_s = storing_time.wall_s();
   }
-  run.counters = counters_text(drawing.counters);
+  run.counters = settings_text(drawing.counters);
   if (drawing.instance_bound) run.instance_bound = *drawing.instance_bound;
   if (request.write) run.write_s = timed_writing_s(drawing);
   if (!request.certify) {

@@ -24,7 +24,7 @@ TEST(Drawing, PolylineHasBothEnds) {
   drawing.polyline(0, points);
   EXPECT_EQ(points, (std::vector<Point>{{0, 0, 0}, {1, 1, 1}, {2, 0, 5}, {3, 3, 0}}));
   EXPECT_EQ(bounding_box(drawing), (Box{{0, 0, 0}, {3, 3, 5}}));
-  EXPECT_EQ(bounding_box(drawing), bounding_box(with_stored_bends(drawing)));
+  EXPECT_EQ(bounding_box(drawing), bounding_box(at_level(drawing, Level::full)));
 }
 
 TEST(Drawing, HashTellsApartWhatIsDrawnAndNothingElse) {
@@ -33,7 +33,7 @@ TEST(Drawing, HashTellsApartWhatIsDrawnAndNothingElse) {
   EXPECT_EQ(hash.size(), 32u);
   drawing.counters.push_back({"H", 3});
   EXPECT_EQ(drawing_hash(drawing), hash);
-  EXPECT_EQ(drawing_hash(with_stored_bends(drawing)), hash);
+  EXPECT_EQ(drawing_hash(at_level(drawing, Level::full)), hash);
   EXPECT_NE(drawing_hash(one_edge({0, 0, 0}, {{1, 1, 2}}, {3, 3, 0})), hash);
   EXPECT_NE(drawing_hash(one_edge({0, 0, 0}, {}, {3, 3, 0})), hash);
   EXPECT_NE(drawing_hash(one_edge({0, 0, 0}, {{1, 1, 1}}, {3, 3, 1})), hash);
