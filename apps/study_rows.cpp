@@ -176,7 +176,7 @@ nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIden
   for (const SkippedFile& file : side_records<SkippedFile>(identity)) {
     skipped.push_back({{"collection", file.name}, {"file", file.file}, {"reason", file.reason}});
   }
-  const FileCounts files = file_counts(identity);
+  const auto [files_read, files_given] = file_counts(identity);
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
   for (const Finding& one : verdict.findings) {
     findings.push_back({{"kind", to_string(one.kind)},
@@ -195,8 +195,8 @@ nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIden
           {"not_proved", verdict.unproved},
           {"measured", verdict.measured},
           {"all_findings", verdict.all_findings},
-          {"files_read", files.read},
-          {"files_given", files.given},
+          {"files_read", files_read},
+          {"files_given", files_given},
           {"skipped_files", skipped},
           {"findings", findings}};
 }
@@ -244,10 +244,10 @@ void StudyRows::view_journals(const std::string& file, const std::string& result
 }
 
 std::string left_out_text(const StudyIdentity& identity) {
-  const FileCounts files = file_counts(identity);
-  if (files.read == files.given) return "";
+  const auto [read, given] = file_counts(identity);
+  if (read == given) return "";
   return fmt::format("files    {} of {} were read; the report lists the others with the reason\n",
-                     files.read, files.given);
+                     read, given);
 }
 
 CheckVerdict judge(const RowView& rows, const std::string& file) {

@@ -16,10 +16,10 @@ constexpr std::array kFrontQuantities = {Quantity::longest_side, Quantity::volum
 void add_study(TableMaker& make) {
   const StudyIdentity& study = *make.analysis.rows.identity;
   const StudyTally& tally = make.analysis.tally;
-  const FileCounts files = file_counts(study);
+  const auto [read, given] = file_counts(study);
   make.table("study").add({study.study_id, study.created, study.source_hash, study.dirty,
                            make.analysis.rows.file, study.spec_hash, study.spec, tally.kept_graphs,
-                           tally.left_out_rows, files.read, files.given});
+                           tally.left_out_rows, read, given});
   Table& skipped = make.table("skipped_files");
   for (const SkippedFile& file : side_records<SkippedFile>(study)) {
     skipped.add({file.name, file.file, file.reason});

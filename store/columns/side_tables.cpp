@@ -17,25 +17,25 @@ namespace {
 
 constexpr std::size_t kSkippedFileBytes = 96;
 
-// Goes through the columns of a record in order: describes them, or writes or reads its bytes.
+// Goes through the columns of a record in order: reads its bytes, or writes them, or describes
+// them if it has neither.
 class RecordPass {
  public:
-  enum class Use { describes, writes, reads };
-  RecordPass(TableSpec& spec, Use use, char* record) : spec_(spec), use_(use), record_(record) {}
+  RecordPass(TableSpec& spec, const char* from, char* to) : spec_(spec), from_(from), to_(to) {}
 
   void table(const char* name, const char* title) {
-    if (use_ == Use::describes) spec_ = {name, title, {}};
+    if (describes()) spec_ = {name, title, {}};
   }
   void text(const std::string& name, std::size_t size, const char* meaning, std::string& value,
             bool required = false) {
     const Field& field = next({name, "", meaning, FieldType::text, size, 0, required});
-    if (use_ == Use::reads) value = text_of(field, record_);
-    if (use_ != Use::writes) return;
+    if (from_ != nullptr) value = text_of(field, from_);
+    if (to_ == nullptr) return;
     if (value != fitted_text(value, size)) {
       throw InputError(fmt::format("/{}: a {} is no printable text of at most {} bytes: {}",
                                    spec_.name, name, size, value));
     }
-    value.copy(record_ + field.offset, value.size());
+    value.copy(to_ + field.offset, value.size());
   }
   // Holds %XX for bytes that are no printable ASCII.
   void path(const char* name, std::size_t size, const char* meaning, std::string& path,
@@ -45,19 +45,20 @@ class RecordPass {
     constexpr FieldType kType =
         std::is_same_v<Number, double> ? FieldType::float64 : FieldType::int64;
     const Field& field = next({name, "1", meaning, kType, sizeof(value), 0, required});
-    if (use_ == Use::reads) std::memcpy(&value, record_ + field.offset, sizeof(value));
-    if (use_ == Use::writes) std::memcpy(record_ + field.offset, &value, sizeof(value));
+    if (from_ != nullptr) std::memcpy(&value, from_ + field.offset, sizeof(value));
+    if (to_ != nullptr) std::memcpy(to_ + field.offset, &value, sizeof(value));
   }
 
  private:
+  bool describes() const { return from_ == nullptr && to_ == nullptr; }
   const Field& next(Field field) {
-    if (use_ == Use::describes) spec_.fields.push_back(std::move(field));
+    if (describes()) spec_.fields.push_back(std::move(field));
     return spec_.fields[next_++];
   }
 
   TableSpec& spec_;
-  Use use_;
-  char* record_;
+  const char* from_;
+  char* to_;
   std::size_t next_ = 0;
 };
 
@@ -181,7 +182,7 @@ template <class Record>
 TableSpec spec_of() {
   TableSpec spec;
   Record record;
-  RecordPass columns(spec, RecordPass::Use::describes, nullptr);
+  RecordPass columns(spec, nullptr, nullptr);
   columns_of(columns, record);
   pack_fields(spec.fields);
   return spec;
@@ -227,7 +228,7 @@ StoredTable side_table(const std::vector<Record>& records) {
   table.records.resize(records.size() * size);
   for (std::size_t i = 0; i < records.size(); ++i) {
     Record record = records[i];
-    RecordPass columns(table.spec, RecordPass::Use::writes, table.records.data() + i * size);
+    RecordPass columns(table.spec, nullptr, table.records.data() + i * size);
     columns_of(columns, record);
   }
   return table;
@@ -238,10 +239,9 @@ std::vector<Record> side_records(const StudyIdentity& identity) {
   std::vector<Record> records;
   const StoredTable* table = find_table(identity, spec_of<Record>().name);
   if (table == nullptr) return records;
-  StoredTable copy = *table;
-  for (std::size_t i = 0; i < copy.size(); ++i) {
-    RecordPass columns(copy.spec, RecordPass::Use::reads,
-                       copy.records.data() + i * record_size(copy.spec.fields));
+  TableSpec spec = table->spec;
+  for (std::size_t i = 0; i < table->size(); ++i) {
+    RecordPass columns(spec, table->record(i), nullptr);
     Record record;
     if (columns_of(columns, record)) records.push_back(std::move(record));
   }
@@ -284,7 +284,7 @@ void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord&
   }
 }
 
-FileCounts file_counts(const StudyIdentity& identity) {
+std::pair<std::size_t, std::size_t> file_counts(const StudyIdentity& identity) {
   std::set<std::pair<std::string, std::string>> read, given;
   for (const CollectedFile& file : side_records<CollectedFile>(identity)) {
     if (!file.file.empty()) read.emplace(file.name, fitted_text(file.file, kSkippedFileBytes));

@@ -76,11 +76,8 @@ void set_bounds(const AlgorithmRecord* record, RunRecord& run);
 /// Sets them from the bounds themselves; each may be null.
 void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord& run);
 
-/// Counts the files of all collections of a study.
-struct FileCounts {
-  std::size_t read = 0, given = 0;
-};
-FileCounts file_counts(const StudyIdentity& identity);
+/// Counts the files of all collections of a study. @return those that were read, and all.
+std::pair<std::size_t, std::size_t> file_counts(const StudyIdentity& identity);
 
 /// Describes the graphs that results hold: by family and place a line of sparse6 without its end.
 using HeldGraphs = std::map<std::string, std::map<std::uint32_t, std::string>>;

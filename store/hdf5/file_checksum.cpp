@@ -2,7 +2,6 @@
 // before HDF5 sees the file.
 #include "ar3d/store/hdf5/file_checksum.h"
 
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <xxhash.h>
@@ -73,23 +72,21 @@ int append_checksum(int descriptor) {
 }
 
 void require_checksum(int descriptor, const std::string& path) {
-  const auto fail = [&] {
-    throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
-  };
   struct stat status {};
-  if (fstat(descriptor, &status) != 0) fail();
+  if (fstat(descriptor, &status) != 0) refuse_reading(path, errno);
   const bool has_room = status.st_size >= static_cast<off_t>(kChecksumSize);
   const std::uint64_t size =
       has_room ? static_cast<std::uint64_t>(status.st_size) - kChecksumSize : 0;
   Ending found{};
-  if (has_room && read_whole(descriptor, found, size) < found.size() && errno != 0) fail();
+  if (has_room && read_whole(descriptor, found, size) < found.size() && errno != 0)
+    refuse_reading(path, errno);
   if (std::memcmp(found.data(), kMagic, kMagicSize) != 0) {
     throw InputError(path +
                      " is not a readable results file: it has no checksum at its end: it was cut "
                      "short or changed by another program");
   }
   Ending computed = ending_of(size);
-  if (!put_hash(descriptor, size, computed)) fail();
+  if (!put_hash(descriptor, size, computed)) refuse_reading(path, errno);
   if (found == computed) return;
   throw InputError(path + " is damaged: its bytes are not those that its checksum was made of");
 }

@@ -45,13 +45,6 @@ std::string hdf5_version() {
   return fmt::format("{}.{}.{}", major, minor, release);
 }
 
-Hdf5Silence::Hdf5Silence() {
-  H5Eget_auto2(H5E_DEFAULT, &printer_, &data_);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-
-Hdf5Silence::~Hdf5Silence() { H5Eset_auto2(H5E_DEFAULT, printer_, data_); }
-
 void throw_hdf5_error(const char* what) {
   std::string cause = "unknown cause";
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_description, &cause);

@@ -5,7 +5,7 @@
 
 #include <hdf5.h>
 
-#include <optional>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,20 +15,6 @@ namespace ar3d {
 class Hdf5Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-};
-
-/// While it lives, HDF5 prints no errors of its own (they come as exceptions); restores what was
-/// set before.
-class Hdf5Silence {
- public:
-  Hdf5Silence();
-  ~Hdf5Silence();
-  Hdf5Silence(const Hdf5Silence&) = delete;
-  Hdf5Silence& operator=(const Hdf5Silence&) = delete;
-
- private:
-  H5E_auto2_t printer_ = nullptr;
-  void* data_ = nullptr;
 };
 
 /// @throws Hdf5Error "cannot <what>: <innermost cause>".
@@ -74,19 +60,10 @@ long long read_integer_attribute(hid_t object, const std::string& name);
 /// Returns a fixed-size, null-padded string type of `size` >= 1 bytes.
 Hdf5Handle text_type(std::size_t size, H5T_cset_t charset);
 
-/// Represents an HDF5 file that goes into an open, empty, readable and writable file. HDF5 never
-/// sees a write fail: it would not give the file up. The first failure is kept here instead, what
-/// comes after it is dropped. A thread has one at a time.
-class Hdf5Output {
- public:
-  /// @param descriptor  is duplicated.
-  explicit Hdf5Output(int descriptor);
-  hid_t get() const { return file_->get(); }
-  /// Ends the file. @return 0, or the errno of the first write that failed.
-  int close();
-
- private:
-  std::optional<Hdf5Handle> file_;
-};
+/// Writes an HDF5 file into an open, empty, readable and writable one: calls fill(the file). HDF5
+/// never sees a write fail: it would not give the file up. The first failure is kept here instead,
+/// what comes after it is dropped.
+/// @return 0, or the errno of the first write that failed.
+int write_hdf5_file(int descriptor, const std::function<void(hid_t file)>& fill);
 
 }  // namespace ar3d

@@ -79,18 +79,17 @@ hid_t checked_driver() {
 
 }  // namespace
 
-Hdf5Output::Hdf5Output(int descriptor) {
+int write_hdf5_file(int descriptor, const std::function<void(hid_t file)>& fill) {
   t_descriptor = descriptor;
   t_error = 0;
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create properties");
   hdf5_checked(H5Pset_driver(access.get(), checked_driver(), nullptr), "choose the file driver");
-  file_.emplace(H5Fcreate(kPlace, H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
-                "create a file");
-}
-
-int Hdf5Output::close() {
-  if (file_) hdf5_checked(H5Fflush(file_->get(), H5F_SCOPE_GLOBAL), "flush");
-  file_.reset();
+  {
+    const Hdf5Handle file(H5Fcreate(kPlace, H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
+                          "create a file");
+    fill(file.get());
+    hdf5_checked(H5Fflush(file.get(), H5F_SCOPE_GLOBAL), "flush");
+  }  // closing writes, too
   return t_error;
 }
 

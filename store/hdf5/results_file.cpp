@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <unordered_set>
@@ -129,20 +130,13 @@ void write_rows(hid_t file, std::size_t count,
   runs.finish();
 }
 
-[[noreturn]] void refuse(const std::string& path, const char* why) {
-  throw InputError(fmt::format("cannot write {}: {}", path, why));
-}
-
 // A regular file that begins as HDF5 files do, open to read.
 Descriptor open_hdf5_file(const std::string& path) {
-  const auto refuse = [&](int reason) {
-    throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(reason)));
-  };
   Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.get() < 0) refuse(errno);
+  if (file.get() < 0) refuse_reading(path, errno);
   struct stat status {};
-  if (fstat(file.get(), &status) != 0) refuse(errno);
-  if (S_ISDIR(status.st_mode)) refuse(EISDIR);
+  if (fstat(file.get(), &status) != 0) refuse_reading(path, errno);
+  if (S_ISDIR(status.st_mode)) refuse_reading(path, EISDIR);
   constexpr std::string_view kSignature("\211HDF\r\n\032\n", 8);
   char start[kSignature.size()] = {};
   if (!S_ISREG(status.st_mode) || pread(file.get(), start, sizeof(start), 0) != sizeof(start) ||
@@ -215,71 +209,68 @@ StudyIdentity read_identity(hid_t file) {
   return identity;
 }
 
-// Runs `step`; what HDF5 has against the file becomes one line that names it.
+// Runs `step` without messages of HDF5's own: what it has against the file becomes one line with
+// that beginning.
 template <class Step>
-auto explained(const std::string& path, const Step& step) {
-  const Hdf5Silence silence;
+auto explained(const std::string& beginning, const Step& step) {
+  H5E_auto2_t printer = nullptr;
+  void* data = nullptr;
+  H5Eget_auto2(H5E_DEFAULT, &printer, &data);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const std::shared_ptr<void> at_end(nullptr,
+                                     [=](void*) { H5Eset_auto2(H5E_DEFAULT, printer, data); });
   try {
     return step();
   } catch (const Hdf5Error& error) {
-    throw InputError(fmt::format("{} is not a readable results file: {}", path, error.what()));
+    throw InputError(fmt::format("{}: {}", beginning, error.what()));
   }
 }
 
-// What is read of a file in the process that only reads it.
-class OpenResults {
- public:
-  OpenResults(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
-
-  std::string answer(std::uint64_t question) {
-    return explained(path_, [&] { return question == kDescription ? open() : rows(question - 1); });
-  }
-
- private:
-  // Three lines: number of rows, identity, environment.
-  std::string open() {
-    H5PLset_loading_state(0);  // no filter that a file names is loaded
-    std::string opened = fmt::format("/proc/self/fd/{}", descriptor_);
-    if (access(opened.c_str(), F_OK) != 0) opened = path_;  // there is no /proc
-    const Hdf5Handle file(H5Fopen(opened.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-                          "open it");
-    require_format(file.get());
-    const std::uint64_t bytes = std::filesystem::file_size(opened);
-    StudyIdentity identity = read_identity(file.get());
-    for (const TableSpec& spec : side_table_specs()) {
-      if (has_table(file.get(), spec.name)) {
-        identity.tables.push_back(read_table(file.get(), spec, bytes));
-      }
+// Opens the file for the process that only reads it. @return three lines: number of rows,
+// identity, environment.
+std::string opened(const std::string& path, int descriptor, std::optional<TableReader>& rows) {
+  H5PLset_loading_state(0);  // no filter that a file names is loaded
+  std::string opened = fmt::format("/proc/self/fd/{}", descriptor);
+  if (access(opened.c_str(), F_OK) != 0) opened = path;  // there is no /proc
+  const Hdf5Handle file(H5Fopen(opened.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open it");
+  require_format(file.get());
+  const std::uint64_t bytes = std::filesystem::file_size(opened);
+  StudyIdentity identity = read_identity(file.get());
+  for (const TableSpec& spec : side_table_specs()) {
+    if (has_table(file.get(), spec.name)) {
+      identity.tables.push_back(read_table(file.get(), spec, bytes));
     }
-    Json environment = Json::array();
-    for (const EnvironmentEntry& entry : read_environment(file.get(), bytes)) {
-      environment.push_back({entry.name, entry.value, entry.session});
-    }
-    rows_.emplace(file.get(), runs_spec(), bytes);
-    return fmt::format("{}\n{}\n{}", rows_->size(), identity_text(identity),
-                       environment.dump(-1, ' ', false, Json::error_handler_t::replace));
   }
-
-  std::string rows(std::uint64_t block) {
-    std::string answer;
-    const std::size_t end = std::min(rows_->size(), kBlockRows * (block + 1));
-    for (std::size_t i = kBlockRows * block; i < end; ++i) {
-      answer.append(rows_->read(i), run_record_size());
-    }
-    return answer;
+  Json environment = Json::array();
+  for (const EnvironmentEntry& entry : read_environment(file.get(), bytes)) {
+    environment.push_back({entry.name, entry.value, entry.session});
   }
+  rows.emplace(file.get(), runs_spec(), bytes);
+  return fmt::format("{}\n{}\n{}", rows->size(), identity_text(identity),
+                     environment.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
 
-  std::string path_;
-  int descriptor_;
-  std::optional<TableReader> rows_;  // keeps the HDF5 file open
-};
+std::string block_of(TableReader& rows, std::uint64_t block) {
+  std::string answer;
+  const std::size_t end = std::min(rows.size(), kBlockRows * (block + 1));
+  for (std::size_t i = kBlockRows * block; i < end; ++i) {
+    answer.append(rows.read(i), run_record_size());
+  }
+  return answer;
+}
 
 // A process that reads a file once its checksum is right.
 ReaderProcess process_for(const std::string& path) {
   const Descriptor descriptor = open_hdf5_file(path);
   require_checksum(descriptor.get(), path);
-  const auto file = std::make_shared<OpenResults>(path, descriptor.get());
-  return {path, descriptor, [file](std::uint64_t question) { return file->answer(question); }};
+  std::optional<TableReader> rows;  // in the process; keeps the HDF5 file open
+  const auto answer = [&](std::uint64_t question) {
+    return explained(path + " is not a readable results file", [&] {
+      return question == kDescription ? opened(path, descriptor.get(), rows)
+                                      : block_of(rows.value(), question - 1);
+    });
+  };
+  return {path, descriptor, answer};
 }
 
 }  // namespace
@@ -288,19 +279,17 @@ void write_results(const StudyIdentity& identity, const std::vector<EnvironmentE
                    std::size_t rows, const std::function<void(std::size_t i, char* record)>& read,
                    const std::string& path) {
   NewFile file(path);
-  const Hdf5Silence silence;
-  try {
-    Hdf5Output output(file.descriptor());
-    write_root_attributes(output.get(), identity);
-    write_spec(output.get(), identity.spec);
-    write_table(output.get(), environments_table(environment));
-    for (const StoredTable& table : identity.tables) write_table(output.get(), table);
-    write_rows(output.get(), rows, read);
-    if (const int error = output.close()) refuse(path, std::strerror(error));
-  } catch (const Hdf5Error& error) {
-    refuse(path, error.what());
-  }
-  if (const int error = append_checksum(file.descriptor())) refuse(path, std::strerror(error));
+  int error = explained("cannot write " + path, [&] {
+    return write_hdf5_file(file.descriptor(), [&](hid_t output) {
+      write_root_attributes(output, identity);
+      write_spec(output, identity.spec);
+      write_table(output, environments_table(environment));
+      for (const StoredTable& table : identity.tables) write_table(output, table);
+      write_rows(output, rows, read);
+    });
+  });
+  if (error == 0) error = append_checksum(file.descriptor());
+  if (error != 0) refuse_writing(path, error);
   file.become_target();
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/system_calls.h"
@@ -20,16 +19,12 @@ namespace {
 constexpr std::size_t kReadAtOnce = std::size_t{1} << 20;
 constexpr std::size_t kLongestLine = std::size_t{1} << 28;
 
-[[noreturn]] void refuse(const std::string& path, int reason) {
-  throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(reason)));
-}
-
 // A journal's lines, read through a buffer that holds what was asked for last.
 class JournalLines {
  public:
   JournalLines(int file, const std::string& path) : file_(file), path_(path) {
     struct stat status {};
-    if (fstat(file, &status) != 0) refuse(path, errno);
+    if (fstat(file, &status) != 0) refuse_reading(path, errno);
     size_ = static_cast<std::uint64_t>(status.st_size);
     fill(0, kReadAtOnce);
     if (buffer_.starts_with(kJournalStart)) return;
@@ -80,7 +75,7 @@ class JournalLines {
   void fill(std::uint64_t offset, std::size_t count) {
     buffer_.resize(std::min<std::uint64_t>(count, size_ - offset));
     const std::size_t have = read_whole(file_, buffer_, offset);
-    if (have < buffer_.size() && errno != 0) refuse(path_, errno);
+    if (have < buffer_.size() && errno != 0) refuse_reading(path_, errno);
     if (have < buffer_.size()) size_ = offset + have;  // it has shrunk
     buffer_.resize(have);
     begin_ = offset;
@@ -95,7 +90,7 @@ class JournalLines {
 
 Descriptor open_to_read(const std::string& path) {
   Descriptor file = open_input(path);
-  if (file.get() < 0) refuse(path, errno);
+  if (file.get() < 0) refuse_reading(path, errno);
   return file;
 }
 
@@ -198,7 +193,7 @@ void JournalReader::read(std::size_t i, char* record) const {
   errno = EIO;  // what a file that has shrunk is
   if (pread(file_.get(), json.data(), json.size(), static_cast<off_t>(row.offset)) !=
       static_cast<ssize_t>(json.size())) {
-    refuse(path_, errno);
+    refuse_reading(path_, errno);
   }
   parse_record(runs_spec().fields, json, path_, record);
 }

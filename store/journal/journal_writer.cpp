@@ -17,10 +17,6 @@
 namespace ar3d {
 namespace {
 
-[[noreturn]] void refuse_to_append(const std::string& path, int reason) {
-  throw InputError(fmt::format("cannot write {}: {}", path, std::strerror(reason)));
-}
-
 void require_same(const StudyIdentity& journal, const StudyIdentity& study,
                   const std::string& path) {
   const auto compare = [&](const char* what, const std::string& theirs, const std::string& ours) {
@@ -76,7 +72,7 @@ void JournalWriter::create_if_missing(const StudyIdentity& identity) {
     create_file_atomically(path_, line_);
   }
   file_ = Descriptor(open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC));
-  if (file_.get() < 0) refuse_to_append(path_, errno);
+  if (file_.get() < 0) refuse_writing(path_, errno);
 }
 
 // The lock belongs to the open file: it lasts until the last process that has it is gone, which may
@@ -90,7 +86,7 @@ void JournalWriter::lock() {
       if (has_its_name(file_.get(), path_)) return;
       throw InputError(fmt::format("{} is gone: another process has finished it", path_));
     }
-    if (errno != EACCES && errno != EAGAIN) refuse_to_append(path_, errno);
+    if (errno != EACCES && errno != EAGAIN) refuse_writing(path_, errno);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   throw InputError(fmt::format("{} is being written by another process", path_));
@@ -108,13 +104,13 @@ void JournalWriter::read_existing(const StudyIdentity& identity,
     return true;
   });
   const off_t size = lseek(file_.get(), 0, SEEK_END);
-  if (size < 0) refuse_to_append(path_, errno);
+  if (size < 0) refuse_writing(path_, errno);
   bytes_cut_ = static_cast<std::uint64_t>(size) - end_;
   if (bytes_cut_ > 0) {
     keep_what_is_cut();
-    if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) refuse_to_append(path_, errno);
+    if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) refuse_writing(path_, errno);
   }
-  if (fsync(file_.get()) != 0) refuse_to_append(path_, errno);
+  if (fsync(file_.get()) != 0) refuse_writing(path_, errno);
 }
 
 // One record cut short is what every crash leaves behind, or zeros, which a loss of power may
@@ -123,7 +119,7 @@ void JournalWriter::read_existing(const StudyIdentity& identity,
 void JournalWriter::keep_what_is_cut() {
   std::string bytes(bytes_cut_, '\0');
   if (read_whole(file_.get(), bytes, end_) < bytes.size()) {
-    refuse_to_append(path_, errno != 0 ? errno : EIO);
+    refuse_writing(path_, errno != 0 ? errno : EIO);
   }
   if (is_cut_short(bytes) || bytes.find_first_not_of('\0') == bytes.npos) return;
   for (int number = 1; cut_file_.empty(); ++number) {
