@@ -132,6 +132,4 @@ Graph mixed_union(Count k) {
   return builder.finish();
 }
 
-Graph true_sinks(Count k) { return copies_of(leaf_block(7), k); }
-
 }  // namespace ar3d

@@ -46,8 +46,4 @@ Graph contained_cycles(Count k);
 /// give `grid` at least 4 defects a round. n = 36 k.
 Graph mixed_union(Count k);
 
-/// k bridgeless components with a single vertex of degree 2 (K3,3 with one edge subdivided): every
-/// one ends in the "true sink" of `two-bend`. n = 7k, m = 10k.
-Graph true_sinks(Count k);
-
 }  // namespace ar3d

@@ -120,7 +120,7 @@ std::vector<Family> catalogue() {
       {"nested-triangles", "Triangles inside one another, neighbours joined by three edges", 4, false,
        {}, steps<3, 3>, [](Count n, S, P) { return nested_triangles(n / 3); }},
       {"iterated-truncation", "K4 truncated again and again", 3, false, {}, truncation_sizes,
-       truncation_of_size},
+       [](Count n, S, P) { return iterated_truncation(n); }},
       {"nanotube", "Fullerene tubes (5, 0) and (6, 0) with their caps", 3, false, {kAround},
        [](Count n, P p) { return multiple(n, 2 * count_of(p, "around"), 2); },
        [](Count n, S, P p) {
@@ -178,7 +178,7 @@ std::vector<Family> catalogue() {
       {"mixed-union", "Small dense components of many kinds in turn (hard for grid)", 3, false, {},
        steps<36, 36>, [](Count n, S, P) { return mixed_union(n / 36); }},
       {"true-sinks", "Leaf blocks of 7 vertices on their own (hard for two-bend)", 3, false, {},
-       steps<7, 7>, [](Count n, S, P) { return true_sinks(n / 7); }},
+       steps<7, 7>, [](Count n, S, P) { return copies_of(leaf_block(7), n / 7); }},
 
       {"union-triangle", "Disjoint triangles", 2, false, {}, steps<3, 3>,
        [](Count n, S, P) { return copies_of(complete_graph(3), n / 3); }},

@@ -192,9 +192,9 @@ Graph truncated(const Graph& cubic) {
   return builder.finish();
 }
 
-Graph iterated_truncation(Count times) {
+Graph iterated_truncation(Count n) {
   Graph graph = complete_graph(4);
-  for (Count i = 0; i < times; ++i) graph = truncated(graph);
+  while (graph.num_vertices() < n) graph = truncated(graph);
   return graph;
 }
 

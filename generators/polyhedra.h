@@ -14,8 +14,8 @@ Graph nested_triangles(Count depth);
 /// degree than 3.
 Graph truncated(const Graph& cubic);
 
-/// K4 truncated `times` times: n = 4 3^times, cubic, planar, 3-connected.
-Graph iterated_truncation(Count times);
+/// K4 truncated until it has n = 4 3^t vertices: cubic, planar, 3-connected.
+Graph iterated_truncation(Count n);
 
 /// A fullerene tube: a cap of one `around`-gon at each end and `rings` >= 1 cycles of 2 around
 /// vertices between them. n = 2 around (rings + 1), cubic, planar, 3-connected; two `around`-gons,

@@ -17,15 +17,9 @@
 namespace ar3d {
 namespace {
 
-enum Stream : std::uint64_t {
-  kRegularStream = 10,
-  kMaxDegreeStream = 11,
-  kConnectedStream = 30,
-  kBipartiteStream,
-  kThinnedStream,
-  kTreeStream,
-  kBridgesStream
-};
+constexpr std::uint64_t kRegularStream = 10, kMaxDegreeStream = 11;
+constexpr std::uint64_t kConnectedStream = 30, kBipartiteStream = 31, kThinnedStream = 32;
+constexpr std::uint64_t kTreeStream = 33, kBridgesStream = 34;
 
 void refuse_bad_degree(std::uint32_t d) {
   if (d < 1 || d > 4) throw InputError(fmt::format("degree {} is outside 1..4", d));
@@ -50,7 +44,8 @@ std::vector<Edge> try_bipartite(std::vector<std::uint32_t>& points, RandomStream
 /// Connected and without bridges: no biconnected component is a single edge.
 bool two_edge_connected(const Graph& graph) {
   std::vector<std::size_t> component(graph.num_edges());
-  const auto of_edge = boost::make_iterator_property_map(component.begin(), EdgeIndexMap());
+  const auto of_edge =
+      boost::make_iterator_property_map(component.begin(), get(boost::edge_index, graph));
   std::vector<std::uint32_t> sizes(boost::biconnected_components(graph, of_edge));
   for (const std::size_t c : component) ++sizes[c];
   return connected_components_of(graph).count == 1 && std::ranges::count(sizes, 1u) == 0;

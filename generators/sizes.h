@@ -127,12 +127,6 @@ inline Graph random_max_degree_of_size(Count n, std::uint64_t seed, const Settin
   return random_max_degree(n, D, std::min(n * per_million / 1000000, most_edges(n, D)), seed);
 }
 
-inline Graph truncation_of_size(Count n, std::uint64_t, const Settings&) {
-  Count times = 0;
-  for (Count size = 4; size < n; size *= 3) ++times;
-  return iterated_truncation(times);
-}
-
 inline Graph fullerene_of_size(Count n, std::uint64_t, const Settings& parameters) {
   const Count b = count_of(parameters, "b");
   Count a = std::max<Count>(1, b);

@@ -46,9 +46,10 @@ class SwitchedPairing {
       : n_(n), d_(d), reciprocal_(((std::uint64_t{1} << 33) + d - 1) / d), random_(random) {}
 
   /// Draws a uniform pairing and removes its defects; false: start again.
-  bool attempt(SwitchingLimits limits) {
+  bool attempt(Count most_loops, Count most_doubles) {
     partner_ = random_matching(n_ * d_, random_);
-    if (!find_defects(limits)) return false;
+    if (!find_defects() || loops_.size() > most_loops || doubles_.size() > most_doubles)
+      return false;
     while (!loops_.empty()) {
       if (!switch_loop() || !keep_after_loop()) return false;
     }
@@ -103,7 +104,8 @@ class SwitchedPairing {
                        new_pairs.end(), [&](const PointPair& pair) { return clean(pair.first); });
   }
 
-  bool find_defects(SwitchingLimits limits);
+  /// False if a vertex is on several.
+  bool find_defects();
   void add_defects(Vertex begin, Vertex end, Defects& defects) const;
   bool switch_loop();
   bool keep_after_loop();
@@ -148,7 +150,7 @@ void SwitchedPairing::add_defects(Vertex begin, Vertex end, Defects& defects) co
   }
 }
 
-bool SwitchedPairing::find_defects(SwitchingLimits limits) {
+bool SwitchedPairing::find_defects() {
   const Count chunks = (n_ + kVertexChunk - 1) / kVertexChunk;
   std::vector<Defects> found(chunks);
   for_each_in_threads(threads_for(n_), chunks, [&](std::uint32_t, Count i) {
@@ -163,7 +165,7 @@ bool SwitchedPairing::find_defects(SwitchingLimits limits) {
     loops_.insert(loops_.end(), defects.loops.begin(), defects.loops.end());
     doubles_.insert(doubles_.end(), defects.doubles.begin(), defects.doubles.end());
   }
-  return !crowded && loops_.size() <= limits.loops && doubles_.size() <= limits.doubles;
+  return !crowded;
 }
 
 std::vector<Edge> SwitchedPairing::edges() const {
@@ -338,9 +340,9 @@ bool SwitchedPairing::is_inverse_double(Point32 a1, Point32 a2, Point32 b1, Poin
 }  // namespace
 
 std::vector<Edge> random_regular_by_switching(Count n, std::uint32_t d, RandomStream& random,
-                                              SwitchingLimits limits) {
+                                              Count most_loops, Count most_doubles) {
   SwitchedPairing pairing(n, d, random);
-  while (!pairing.attempt(limits)) {
+  while (!pairing.attempt(most_loops, most_doubles)) {
   }
   return pairing.edges();
 }

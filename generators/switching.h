@@ -24,14 +24,7 @@ UnwrittenVector<std::uint32_t> random_permutation(std::uint64_t count, RandomStr
 /// Cost: as random_permutation, twice the memory while it runs.
 UnwrittenVector<std::uint32_t> random_matching(std::uint64_t count, RandomStream& random);
 
-/// A pairing with more loops or double edges than this is thrown away; both bounds keep the lower
-/// bounds of the proof positive.
-struct SwitchingLimits {
-  Count loops = 8;
-  Count doubles = 12;
-};
-
-/// Least n for which the default limits are proved to work (for d <= 4).
+/// Least n for which the default limits below are proved to work (for d <= 4).
 inline constexpr Count kLeastSwitchingSize = 200;
 
 /// A uniformly random labelled simple d-regular graph by switchings (McKay and Wormald 1990): one
@@ -41,11 +34,13 @@ inline constexpr Count kLeastSwitchingSize = 200;
 /// @return the edges (u, v), u < v, in order of u.
 /// @param n  nd even and large enough for the limits (n >= kLeastSwitchingSize for the default
 /// ones).
+/// @param most_loops,most_doubles  a pairing with more loops or double edges is thrown away; both
+/// keep the lower bounds of the proof positive.
 /// @throws InternalError if n is too small for the limits.
 /// Cost: O(n) expected time on all threads (threads_for); 4 nd bytes for the points' order (freed
 /// before the edges are made) and 4 nd for the partners. The edges do not depend on the number of
 /// threads.
 std::vector<Edge> random_regular_by_switching(Count n, std::uint32_t d, RandomStream& random,
-                                              SwitchingLimits limits = {});
+                                              Count most_loops = 8, Count most_doubles = 12);
 
 }  // namespace ar3d
