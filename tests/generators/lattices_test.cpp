@@ -9,26 +9,20 @@
 namespace ar3d::testing {
 namespace {
 
-Guarantee straight(std::uint32_t max_degree, Cosine vertex_angle) {
-  Guarantee guarantee;
-  guarantee.max_degree = max_degree;
-  guarantee.max_bends = 0;
-  guarantee.cosine = vertex_angle;
-  return guarantee;
+void expect_straight(const LatticePiece& piece, std::uint32_t max_degree, Cosine vertex_angle) {
+  CertifyOptions options;
+  options.check_size = false;
+  const Guarantee guarantee = {
+      .max_degree = max_degree, .max_bends = 0, .cosine = vertex_angle, .lattice = kCubeLattice};
+  const Certificate made =
+      certify(piece.graph, straight_drawing(piece, "lattice"), guarantee, options);
+  EXPECT_TRUE(made.valid()) << made.violations.front().message;
 }
 
 TEST(Lattices, PiecesAreCertifiedWithoutBends) {
-  CertifyOptions options;
-  options.check_size = false;
   for (const Count n : {1u, 2u, 30u, 700u}) {
-    const LatticePiece diamond = diamond_lattice_piece(n);
-    const Certificate tetrahedral = certify(
-        diamond.graph, straight_drawing(diamond, "diamond-lattice"), straight(4, {-1, 3}), options);
-    EXPECT_TRUE(tetrahedral.valid()) << n << ": " << tetrahedral.violations.front().message;
-    const LatticePiece laves = laves_piece(n);
-    const Certificate flat =
-        certify(laves.graph, straight_drawing(laves, "laves-graph"), straight(3, {-1, 2}), options);
-    EXPECT_TRUE(flat.valid()) << n << ": " << flat.violations.front().message;
+    expect_straight(diamond_lattice_piece(n), 4, {-1, 3});
+    expect_straight(laves_piece(n), 3, {-1, 2});
   }
 }
 

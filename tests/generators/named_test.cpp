@@ -114,20 +114,17 @@ TEST(NamedGraphs, AreDistinctAndSorted) {
 }
 
 TEST(Snarks, HaveNoThreeEdgeColouring) {
-  EXPECT_FALSE(three_edge_colourable(generalised_petersen(5, 2)));
-  EXPECT_FALSE(three_edge_colourable(find_named_graph("tietze").make()));
-  for (const Count k : {1u, 2u, 3u}) {
-    EXPECT_FALSE(three_edge_colourable(blanusa_snark(k, 1))) << k;
-    EXPECT_FALSE(three_edge_colourable(blanusa_snark(k, 2))) << k;
-    EXPECT_EQ(girth(blanusa_snark(k, 1)), 5u) << k;
-    EXPECT_EQ(girth(blanusa_snark(k, 2)), 5u) << k;
+  for (const Graph& graph : {generalised_petersen(5, 2), find_named_graph("tietze").make(),
+                             flower_snark(5), flower_snark(7), goldberg_snark(5),
+                             double_star_snark(), szekeres_snark(), watkins_snark()}) {
+    EXPECT_FALSE(three_edge_colourable(graph)) << graph.num_vertices();
   }
-  EXPECT_FALSE(three_edge_colourable(flower_snark(5)));
-  EXPECT_FALSE(three_edge_colourable(flower_snark(7)));
-  EXPECT_FALSE(three_edge_colourable(goldberg_snark(5)));
-  EXPECT_FALSE(three_edge_colourable(double_star_snark()));
-  EXPECT_FALSE(three_edge_colourable(szekeres_snark()));
-  EXPECT_FALSE(three_edge_colourable(watkins_snark()));
+  for (const Count k : {1u, 2u, 3u}) {
+    for (const Count type : {1u, 2u}) {
+      EXPECT_FALSE(three_edge_colourable(blanusa_snark(k, type))) << k;
+      EXPECT_EQ(girth(blanusa_snark(k, type)), 5u) << k;
+    }
+  }
   EXPECT_TRUE(three_edge_colourable(generalised_petersen(8, 3)));
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <thread>
 
 namespace ar3d::testing {
@@ -15,15 +14,16 @@ constexpr std::size_t kLong = 2 * kLongArrayBytes;
 
 using Bytes = LongVector<std::uint8_t>;
 
+/// Where an array has been, full of sevens.
+const std::uint8_t* freed_place(std::size_t size) { return Bytes(size, 7).data(); }
+
 bool is_all(const Bytes& bytes, std::uint8_t value) {
   return std::all_of(bytes.begin(), bytes.end(), [&](std::uint8_t b) { return b == value; });
 }
 
 TEST(LongArrayReuse, GivesWhatIsFreedToTheNextArrayThatFits) {
   const LongArrayReuse reuse;
-  std::optional<Bytes> dirty(std::in_place, kLong, 7);
-  const std::uint8_t* const place = dirty->data();
-  dirty.reset();
+  const std::uint8_t* const place = freed_place(kLong);
   const Bytes shorter(kLong * 3 / 4, 1);
   EXPECT_EQ(shorter.data(), place);
   EXPECT_TRUE(is_all(shorter, 1));
@@ -40,9 +40,7 @@ TEST(LongVector, GrowsThroughEveryKindOfMemory) {
 TEST(LongArrayReuse, InitialisesElementsInUsedMemory) {
   for (const std::size_t size : {kReusableBytes, kLong}) {
     const LongArrayReuse reuse;
-    std::optional<Bytes> dirty(std::in_place, size, 7);
-    const std::uint8_t* const place = dirty->data();
-    dirty.reset();
+    const std::uint8_t* const place = freed_place(size);
     const Bytes clean(size);
     EXPECT_EQ(clean.data(), place) << size;
     EXPECT_TRUE(is_all(clean, 0)) << size;
@@ -51,9 +49,7 @@ TEST(LongArrayReuse, InitialisesElementsInUsedMemory) {
 
 TEST(LongArrayReuse, LeavesMuchLongerArraysForOthers) {
   const LongArrayReuse reuse;
-  std::optional<Bytes> dirty(std::in_place, 4 * kLong, 7);
-  const std::uint8_t* const place = dirty->data();
-  dirty.reset();
+  const std::uint8_t* const place = freed_place(4 * kLong);
   const Bytes much_shorter(kLong, 1);
   EXPECT_NE(much_shorter.data(), place);
   const Bytes longer(5 * kLong, 1);
@@ -64,12 +60,10 @@ TEST(LongArrayReuse, ArraysMayOutliveItAndInnerOnesEndNothing) {
   Bytes kept;
   {
     const LongArrayReuse reuse;
-    const std::uint8_t* place = nullptr;
-    {
+    const std::uint8_t* const place = [] {
       const LongArrayReuse inner;
-      const Bytes spare(kLong, 7);
-      place = spare.data();
-    }
+      return freed_place(kLong);
+    }();
     kept.assign(kLong, 3);
     EXPECT_EQ(kept.data(), place);
   }

@@ -6,57 +6,22 @@
 #include <stdexcept>
 
 #include "ar3d/base/random.h"
+#include "ar3d/generators/blocks.h"
+#include "ar3d/generators/rings.h"
 
 namespace ar3d::testing {
 
-Graph path(Vertex n) {
-  std::vector<Edge> edges;
-  for (Vertex v = 1; v < n; ++v) edges.push_back({v - 1, v});
-  return Graph(n, std::move(edges));
-}
-
-Graph cycle(Vertex n) {
-  std::vector<Edge> edges;
-  for (Vertex v = 0; v < n; ++v) edges.push_back({v, (v + 1) % n});
-  return Graph(n, std::move(edges));
-}
-
-Graph complete(Vertex n) {
-  std::vector<Edge> edges;
-  for (Vertex v = 0; v < n; ++v) {
-    for (Vertex u = 0; u < v; ++u) edges.push_back({u, v});
-  }
-  return Graph(n, std::move(edges));
-}
-
-Graph petersen() {
-  std::vector<Edge> edges;
-  for (Vertex v = 0; v < 5; ++v) {
-    edges.push_back({v, (v + 1) % 5});          // outer cycle
-    edges.push_back({v, v + 5});                // spokes
-    edges.push_back({v + 5, (v + 2) % 5 + 5});  // inner pentagram
-  }
-  return Graph(10, std::move(edges));
-}
-
-Graph octahedron() {
-  std::vector<Edge> edges;
-  for (Vertex v = 0; v < 6; ++v) {
-    for (Vertex u = 0; u < v; ++u) {
-      if (u + v != 5) edges.push_back({u, v});  // opposite corners sum to 5
-    }
-  }
-  return Graph(6, std::move(edges));
-}
+Graph path(Vertex n) { return path_graph(n); }
+Graph cycle(Vertex n) { return cycle_graph(n); }
+Graph complete(Vertex n) { return complete_graph(n); }
+Graph petersen() { return generalised_petersen(5, 2); }
+Graph octahedron() { return octahedron_graph(); }
+Graph squared_cycle(Vertex n) { return ar3d::squared_cycle(n); }
 
 Graph disjoint_union(const std::vector<Graph>& parts) {
-  std::vector<Edge> edges;
-  Vertex n = 0;
-  for (const Graph& part : parts) {
-    for (const Edge e : part.edges()) edges.push_back({e.u + n, e.v + n});
-    n += part.num_vertices();
-  }
-  return Graph(n, std::move(edges));
+  GraphBuilder builder(0);
+  for (const Graph& part : parts) builder.append(part);
+  return builder.finish();
 }
 
 Graph shuffled(const Graph& graph, std::uint64_t seed) {
@@ -96,15 +61,6 @@ std::vector<Graph> geng(const std::string& arguments) {
   }
   if (graphs.empty()) throw std::runtime_error(command + " printed nothing");
   return graphs;
-}
-
-Graph squared_cycle(Vertex n) {
-  std::vector<Edge> edges;
-  for (Vertex v = 0; v < n; ++v) {
-    edges.push_back({v, (v + 1) % n});
-    edges.push_back({v, (v + 2) % n});
-  }
-  return Graph(n, std::move(edges));
 }
 
 }  // namespace ar3d::testing

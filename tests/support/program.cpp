@@ -6,12 +6,15 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include "ar3d/base/printable.h"
 
 namespace ar3d::testing {
 
@@ -50,20 +53,6 @@ std::string read_file(const std::string& path) {
 
 namespace {
 
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
-std::string with_program(std::string command) {
-  for (std::size_t at = 0; (at = command.find("{}", at)) != std::string::npos;) {
-    command.replace(at, 2, AR3D_PROGRAM);
-    at += std::string(AR3D_PROGRAM).size();
-  }
-  return command;
-}
-
 void expect_parts(const Outcome& outcome, const char* stream, const std::string& text,
                   const Parts& parts, int exit_code, std::experimental::source_location where) {
   expect_exit(exit_code, outcome, where);
@@ -85,8 +74,9 @@ std::string with_fault(const std::string& fault) {
 
 Outcome run(const std::string& command) {
   const ScratchDirectory scratch;
-  const std::string line = "bash -c " + quoted(with_program(command)) + " > " +
-                           scratch.path("out") + " 2> " + scratch.path("err") + " < /dev/null";
+  const std::string line =
+      "bash -c " + shell_word(boost::replace_all_copy(command, "{}", AR3D_PROGRAM)) + " > " +
+      scratch.path("out") + " 2> " + scratch.path("err") + " < /dev/null";
   const int status = std::system(line.c_str());
   Outcome outcome;
   outcome.command = command;
