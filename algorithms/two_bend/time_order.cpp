@@ -13,7 +13,6 @@ namespace ar3d::two_bend {
 
 StOrder::StOrder(const LocalGraph& graph, const BlockTree& blocks)
     : graph_(graph), blocks_(blocks), seen_(graph.size(), false), number_(graph.size()) {
-  visited_.reserve(graph.size());
   numbered_.reserve(graph.size());
   turns_.reserve(graph.size());
 }
@@ -22,14 +21,13 @@ LongVector<Vertex> StOrder::order(Vertex s, Vertex t) {
   expect(s != t && !blocks_.is_bridge(s, t), "an st-order runs between two vertices of one block");
   search(s, t);
   find_lows();
-  for (const Vertex v : visited_) seen_[v] = false;
+  for (const Numbered& each : numbered_) seen_[each.vertex] = false;
   return place_in_preorder();
 }
 
 /// Depth-first search of the block from t, with the virtual tree edge s - t above it.
 void StOrder::search(Vertex s, Vertex t) {
-  visited_.assign(1, s);
-  numbered_.assign(1, {});
+  numbered_.assign(1, {.vertex = s});
   seen_[s] = true;
   number_[s] = 0;
   turns_.assign(1, {t, Vertex{0}});
@@ -43,10 +41,9 @@ void StOrder::search(Vertex s, Vertex t) {
 /// Neighbours seen before lie on the way back to s; low is the least of their numbers but the
 /// parent's. Nothing waits for a number: the search goes on while they come.
 void StOrder::visit(Vertex v, Vertex parent) {
-  const auto number = static_cast<Vertex>(visited_.size());
+  const auto number = static_cast<Vertex>(numbered_.size());
   seen_[v] = true;
   number_[v] = number;
-  visited_.push_back(v);
   Vertex low = number;
   const NeighbourList& near = graph_.neighbours[v];
   for (std::size_t k = near.degree(); k-- > 0;) {
@@ -59,7 +56,7 @@ void StOrder::visit(Vertex v, Vertex parent) {
       low = std::min(low, number_[u]);
     }
   }
-  numbered_.push_back({.parent = parent, .low = low});
+  numbered_.push_back({.vertex = v, .parent = parent, .low = low});
 }
 
 void StOrder::find_lows() {
@@ -74,14 +71,14 @@ void StOrder::find_lows() {
 /// lies together, and a child's lies next to all those of its parent's that were inserted on this
 /// side before.
 LongVector<Vertex> StOrder::place_in_preorder() {
-  LongVector<Vertex> list(visited_.size());
-  list[0] = visited_[0];
+  LongVector<Vertex> list(numbered_.size());
+  list[0] = numbered_[0].vertex;
   plus_.assign(numbered_.size(), false);
   numbered_[1].low = 1;
   numbered_[1].size = static_cast<std::uint32_t>(numbered_.size());
   for (Vertex i = 2; i < numbered_.size(); ++i) {
     Numbered& here = numbered_[i];
-    auto& [above, begin, end] = numbered_[here.parent];
+    auto& [vertex, above, begin, end] = numbered_[here.parent];
     const bool before = !plus_[here.low];
     expect(before || here.parent != 1, "nothing is inserted behind t");
     plus_[here.parent] = before;
@@ -90,9 +87,9 @@ LongVector<Vertex> StOrder::place_in_preorder() {
     (before ? begin : end) = before ? here.size : here.low;
   }
   for (Vertex i = 1; i < numbered_.size(); ++i) {
-    const auto [parent, begin, end] = numbered_[i];
+    const auto [vertex, parent, begin, end] = numbered_[i];
     expect(begin + 1 == end, "a vertex has one place");
-    list[begin] = visited_[i];
+    list[begin] = vertex;
   }
   return list;
 }

@@ -19,8 +19,9 @@ class StOrder {
   LongVector<Vertex> order(Vertex s, Vertex t);
 
  private:
-  /// Holds what is known of the vertex with a number; all names in it are numbers.
+  /// Holds what is known of the vertex with a number; other names in it are numbers.
   struct Numbered {
+    Vertex vertex = 0;
     Vertex parent = 0;
     Vertex low = 0;          // later where its places that no child has taken begin
     std::uint32_t size = 1;  // of its subtree, in consecutive places of the list; later their end
@@ -34,7 +35,6 @@ class StOrder {
   const BlockTree& blocks_;
   std::vector<bool> seen_;         // per vertex; small enough to stay in the cache
   LongVector<Vertex> number_;      // per vertex seen, in preorder
-  LongVector<Vertex> visited_;     // per number: the vertex
   LongVector<Numbered> numbered_;  // per number
   std::vector<bool> plus_;         // per number: which side of it the next one takes
   /// Vertices that were unseen when a neighbour was visited, and that neighbour's number: the next
