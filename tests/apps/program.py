@@ -1,4 +1,4 @@
-"""What the tests share that only start the program: X_test.py AR3D FAULT_SHIM [UNITTEST'S ARGUMENTS]."""
+"""What the tests share that only start the program: X_test.py AR3D [UNITTEST'S ARGUMENTS]."""
 import collections
 import os
 import pathlib
@@ -7,7 +7,7 @@ import sys
 import tempfile
 import unittest
 
-AR3D, FAULT_SHIM = sys.argv[1:3]
+AR3D = sys.argv[1]
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 IS_SANITISED = b"__asan_init" in pathlib.Path(AR3D).read_bytes()
 Outcome = collections.namedtuple("Outcome", "command code out err")
@@ -21,11 +21,6 @@ def run(command):
         for file in (out, err):
             file.seek(0)
         return Outcome(command, code if code >= 0 else 128 - code, *(file.read().decode(errors="surrogateescape") for file in (out, err)))
-
-
-def with_fault(fault):
-    """What stands before a command so that it meets a fault of tests/shim/fault_shim.cpp, such as "full:9000"."""
-    return f"env ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD={FAULT_SHIM} AR3D_FAULT={fault} "
 
 
 def read(name):
@@ -57,12 +52,12 @@ class Program(unittest.TestCase):
         self.assertHas(said.err, err, said)
         return said
 
-    def refused(self, command, *parts, code=2):
+    def refused(self, command, *parts):
         """The line ends with exit code 2 and one line on standard error, which holds these parts. @return its outcome."""
-        said = self.expect(command, code, err=parts)
+        said = self.expect(command, 2, err=parts)
         self.assertEqual(said.err.count("\n"), 1, said)
         return said
 
 
 def main():
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
