@@ -241,8 +241,8 @@ class Corpus::Scan {
 
   Corpus& corpus_;
   const CorpusOptions& options_;
-  std::map<std::string, std::set<std::string>>
-      held_;                                     // by file, hashes when the study began or grew
+  // By file the hashes of what a study has read of it before.
+  std::map<std::string, std::set<std::string>> held_;
   std::set<std::string> there_;                  // files that were looked at
   std::map<std::string, std::uint32_t> copies_;  // of files, by the hash of their graphs
   std::priority_queue<Ticket> drawn_;  // the smallest ones so far, the largest of them on top

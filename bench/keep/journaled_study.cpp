@@ -207,7 +207,7 @@ class StudyPart {
       shared.timed_phases = policy_.timed_phases;
       shared.next_instance = [] { return std::nullopt; };
       if (plan_.budget.study_s) *plan_.budget.study_s -= time.wall_s();  // what is left of it
-      BOOST_SCOPE_EXIT_ALL(&) { ranks_.dismiss(); };                     // whatever happens
+      BOOST_SCOPE_EXIT_ALL(&) { ranks_.dismiss(); };
       study_.results = path_in_folder(folder_, study_.results);
       make(shared, rows_so_far(study_));
     });
