@@ -4,8 +4,6 @@
 // components with many two-edge cuts, and everything between a tree and a cubic graph.
 
 #include <algorithm>
-#include <set>
-#include <utility>
 #include <vector>
 
 #include "ar3d/generators/random_graphs.h"
@@ -23,7 +21,6 @@ class Sketch {
   Vertex size() const { return static_cast<Vertex>(degree_.size()); }
   unsigned degree(Vertex v) const { return degree_[v]; }
   const std::vector<Edge>& edges() const { return edges_; }
-  bool joined(Vertex u, Vertex v) const { return pairs_.contains(std::minmax(u, v)); }
 
   Vertex add_vertex() {
     degree_.push_back(0);
@@ -31,7 +28,6 @@ class Sketch {
   }
   void join(Vertex u, Vertex v) {
     edges_.push_back({u, v});
-    pairs_.insert(std::minmax(u, v));
     ++degree_[u];
     ++degree_[v];
   }
@@ -39,7 +35,6 @@ class Sketch {
     const Edge e = edges_[edge];
     edges_[edge] = edges_.back();
     edges_.pop_back();
-    pairs_.erase(std::minmax(e.u, e.v));
     --degree_[e.u];
     --degree_[e.v];
   }
@@ -64,7 +59,6 @@ class Sketch {
  private:
   std::vector<unsigned> degree_;
   std::vector<Edge> edges_;
-  std::set<std::pair<Vertex, Vertex>> pairs_;
 };
 
 /// Cubic and connected, n >= 4 even.
@@ -101,7 +95,7 @@ inline void hang_leaves(Sketch& sketch, RandomStream& random, std::uint32_t perc
   }
 }
 
-/// A ring of cubic pieces, each opened at one edge: bridgeless, cubic, with many two-edge cuts.
+/// A ring of at least two cubic pieces, each opened at one edge: bridgeless, cubic, with many two-edge cuts.
 inline Sketch random_necklace(std::uint32_t pieces, RandomStream& random) {
   Sketch sketch;
   Vertex first = 0;
@@ -116,7 +110,7 @@ inline Sketch random_necklace(std::uint32_t pieces, RandomStream& random) {
     if (i == 0) first = e.u;
     last = base + e.v;
   }
-  if (!sketch.joined(last, first)) sketch.join(last, first);
+  sketch.join(last, first);
   return sketch;
 }
 

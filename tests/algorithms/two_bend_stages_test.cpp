@@ -230,11 +230,7 @@ TEST(TwoBendChecks, SeeWhatIsSpoilt) {
   const View rows(flow, false);
   EXPECT_TRUE(is_time_order(graph, order));
   EXPECT_TRUE(arms_are_not_parallel(flow));
-  EXPECT_TRUE(merges_are_between(rows, lists[0]));
-  EXPECT_TRUE(merges_keep_distances(rows, layout.rows));
-  EXPECT_TRUE(rays_differ(flow, layout));
-  EXPECT_TRUE(vv_leans_are_primitive(flow, layout));
-  EXPECT_TRUE(shared_rows_are_plane(rows, layout.columns));
+  expect_layout(flow, lists, layout);
 
   TimeOrder turned = order;
   std::rotate(turned.list.begin(), turned.list.begin() + 1, turned.list.end());
