@@ -8,16 +8,16 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstring>
-#include <span>
+#include <limits>
 
 #include "ar3d/model/drawing.h"
 
 namespace ar3d::two_bend_109 {
 namespace {
 
-// Slabs, columns and rows per square root of the number of middles: measured to be fast for random
+// Slabs, rows and columns per square root of the number of middles: measured to be fast for random
 // 4-regular graphs of 10^3 to 10^6 vertices and for tori.
-constexpr double kSlabs = 0.3, kColumns = 0.2, kRows = 0.35;
+constexpr double kSlabs = 0.1, kRows = 0.03, kColumns = 12;
 
 __extension__ using Int128 = __int128;
 using Int256 = boost::multiprecision::int256_t;
@@ -68,34 +68,52 @@ LineModulo line_of(const LatticeSegment& segment) {
   return {cut(u), cut(v), cut(w), cut(y * w - z * v), cut(z * u - x * w), cut(x * v - y * u)};
 }
 
-using LineComponents = std::array<const std::uint16_t*, 6>;
+bool may_be_coplanar(const LineModulo& a, const LineModulo& b) {
+  std::uint32_t sum = 0;
+  for (std::size_t k = 0; k < 6; ++k) sum += std::uint32_t{a[k]} * b[(k + 3) % 6];
+  return static_cast<std::uint16_t>(sum) == 0;
+}
 
-/// Finds which of `count` lines, given by component, may be coplanar to this one. Without branches,
-/// so that the compiler tests several at a time.
-__attribute__((always_inline)) inline void find_coplanar(const LineModulo& line,
-                                                         const LineComponents& lines,
-                                                         std::size_t count,
-                                                         std::uint16_t* __restrict is_coplanar) {
-  const auto [a, b, c, d, e, f] = lines;
-  const std::uint32_t u = line[0], v = line[1], w = line[2], l = line[3], m = line[4], n = line[5];
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto sum =
-        static_cast<std::uint16_t>(u * d[i] + v * e[i] + w * f[i] + l * a[i] + m * b[i] + n * c[i]);
-    is_coplanar[i] = sum == 0 ? 1 : 0;
+using LineComponents = std::array<std::vector<std::uint16_t>, 6>;
+
+/// So many numbers are tested at a time.
+using Lanes __attribute__((vector_size(32))) = std::uint16_t;
+constexpr std::size_t kLanes = sizeof(Lanes) / sizeof(std::uint16_t);
+
+/// Adds those of the lines from begin to end, given by component, that may be coplanar to this one.
+/// Reads kLanes numbers beyond the end.
+__attribute__((always_inline)) inline void add_coplanar(const LineModulo& line,
+                                                        const LineComponents& lines,
+                                                        std::size_t begin, std::size_t end,
+                                                        std::vector<std::size_t>& found) {
+  for (; begin < end; begin += kLanes) {
+    Lanes sum{};
+    for (std::size_t k = 0; k < 6; ++k) {
+      Lanes others;
+      std::memcpy(&others, lines[k].data() + begin, sizeof(others));
+      sum += others * line[(k + 3) % 6];
+    }
+    const auto is_zero = sum == 0;
+    std::array<std::uint64_t, sizeof(is_zero) / sizeof(std::uint64_t)> words;
+    std::memcpy(words.data(), &is_zero, sizeof(is_zero));
+    if ((words[0] | words[1] | words[2] | words[3]) == 0) continue;
+    for (std::size_t k = 0; k < kLanes && begin + k < end; ++k) {
+      if (sum[k] == 0) found.push_back(begin + k);
+    }
   }
 }
 
 #if defined(__x86_64__)
 const bool kHasAvx2 = __builtin_cpu_supports("avx2") != 0;
-__attribute__((target("avx2"))) void find_coplanar_avx2(const LineModulo& line,
-                                                        const LineComponents& lines,
-                                                        std::size_t count,
-                                                        std::uint16_t* __restrict is_coplanar) {
-  find_coplanar(line, lines, count, is_coplanar);
+__attribute__((target("avx2"))) void add_coplanar_avx2(const LineModulo& line,
+                                                       const LineComponents& lines,
+                                                       std::size_t begin, std::size_t end,
+                                                       std::vector<std::size_t>& found) {
+  add_coplanar(line, lines, begin, end, found);
 }
 #else
 constexpr bool kHasAvx2 = false;
-constexpr auto& find_coplanar_avx2 = find_coplanar;
+constexpr auto& add_coplanar_avx2 = add_coplanar;
 #endif
 
 /// Two segments that meet do so in a slab and a cell that both are entered in: heights are compared
@@ -109,40 +127,44 @@ class SlabSweep {
   void compare_few(const std::vector<std::uint32_t>& few) {
     std::vector<bool> is_few(middles_.size() + stubs_.size());
     for (const std::uint32_t i : few) is_few[i] = true;
-    for (const std::uint32_t i : few) entries_.push_back({line_of(segment(i).at), i, 0});
+    for (const std::uint32_t i : few) sorted_.push_back({line_of(segment(i).at), i, 0, 0});
     for (std::uint32_t i = 0; i < is_few.size(); ++i) {
-      if (!is_few[i]) entries_.push_back({line_of(segment(i).at), i, 0});
+      if (!is_few[i]) sorted_.push_back({line_of(segment(i).at), i, 0, 0});
     }
-    compare(entries_, few.size());
+    separate_components();
+    for (std::size_t i = 0; i < few.size(); ++i) compare_run(i, sorted_.size());
+    compare_coplanar();
   }
 
   /// Compares all with all, slab by slab.
   void compare_all() {
     const double root = std::sqrt(static_cast<double>(middles_.size()));
     const auto share = [&](double of) { return static_cast<std::uint32_t>(of * root) + 1; };
-    columns_ = share(kColumns);
     for (std::uint32_t i = 0; i < middles_.size() + stubs_.size(); ++i) {
       box_.add(segment(i).at.from);
       box_.add(segment(i).at.to);
     }
+    columns_ = share(kColumns);
     const Vector size = box_.high() - box_.low();
-    // Narrower rows gain nothing: stubs pass all of them.
-    rows_ = static_cast<std::uint32_t>(std::min<std::int64_t>(share(kRows), size.y + 1));
     per_x_ = columns_ / static_cast<double>(size.x + 1);
-    per_y_ = rows_ / static_cast<double>(size.y + 1);
-    divide(share(kSlabs));
-    std::array<std::vector<ReachingSegment>, 2> active;  // middles, stubs
+    per_y_ = 1024 / static_cast<double>(size.y + 1);
+    divide_rows(share(kRows) + 1);
+    divide_slabs(share(kSlabs) + 8);
+    std::vector<ReachingSegment> active;
     for (std::size_t slab = 0; slab < bottom_.size(); ++slab) {
-      for (const std::uint32_t i : begins_[slab]) {
-        active[i < middles_.size() ? 0 : 1].push_back(started(i));
-      }
+      for (const std::uint32_t i : begins_[slab]) active.push_back(started(i));
       const bool is_last = slab + 1 == bottom_.size();
       const std::int64_t top = is_last ? box_.high().z : bottom_[slab + 1];
       entries_.clear();
       end_of_cell_.assign(std::size_t{rows_} * columns_ + 2, 0);
-      for (auto& some : active) {
-        for (const ReachingSegment& one : some) enter(one, bottom_[slab], top);
-        std::erase_if(some, [&](const ReachingSegment& one) { return one.high < top; });
+      for (std::size_t i = 0; i < active.size();) {
+        enter(active[i], top);
+        if (active[i].high >= top) {
+          ++i;
+        } else {
+          active[i] = active.back();
+          active.pop_back();
+        }
       }
       compare_entries();
     }
@@ -155,18 +177,20 @@ class SlabSweep {
   }
 
  private:
-  /// A segment that reaches into the slab; lengths in x and y are in cells.
+  /// What reaches into the slab or those above of a segment; lengths in x are in columns.
   struct ReachingSegment {
-    double x, y, run_x, run_y;
-    double per_rise;  ///< one over its height; any number if that is 0
+    double x, y, end_x, end_y;
+    double lean_x, lean_y;  ///< per height
     std::int64_t low, high;
     LineModulo line;
     std::uint32_t index;
+    std::uint32_t row;  ///< near the row that it is in
   };
+  /// What of a segment is in a row and a slab.
   struct CellEntry {
     LineModulo line;
     std::uint32_t index;
-    std::uint32_t cell;
+    std::uint32_t first, last;  ///< cells
   };
 
   const DrawnSegment& segment(std::uint32_t i) const {
@@ -174,7 +198,7 @@ class SlabSweep {
   }
 
   /// Into slabs in which about equally many segments begin, as stubs come upwards.
-  void divide(std::size_t slabs) {
+  void divide_slabs(std::size_t slabs) {
     bottom_ = {box_.low().z};
     for (std::size_t i = 1; i < slabs; ++i) {
       const std::int64_t z = stubs_[stubs_.size() * i / slabs].at.from.z;
@@ -187,122 +211,157 @@ class SlabSweep {
     }
   }
 
+  /// Into rows through which about equally many middles pass, most of them near y = 0, and which
+  /// are not very wide elsewhere.
+  void divide_rows(std::size_t rows) {
+    const std::size_t step = middles_.size() / (16 * rows) + 1;
+    std::vector<double> passed;
+    for (std::size_t i = 0; i < middles_.size(); i += step) {
+      const auto& [from, to] = middles_[i].at;
+      const double part = std::fmod(static_cast<double>(i) * 0.6180339887498949, 1.0);
+      passed.push_back(height(from) + part * (height(to) - height(from)));
+      passed.push_back(1024 * part);
+    }
+    std::sort(passed.begin(), passed.end());
+    row_begin_ = {-1};
+    for (std::size_t i = 1; i < rows; ++i) {
+      const double y = passed[passed.size() * i / rows];
+      if (y > row_begin_.back() + 1 / 1024.0) row_begin_.push_back(y);
+    }
+    rows_ = static_cast<std::uint32_t>(row_begin_.size());
+    row_begin_.push_back(std::numeric_limits<double>::infinity());
+  }
+
+  double column(Point p) const { return static_cast<double>(p.x - box_.low().x) * per_x_; }
+  double height(Point p) const { return static_cast<double>(p.y - box_.low().y) * per_y_; }
+
   ReachingSegment started(std::uint32_t index) const {
     const auto [p, q] = segment(index).at;
-    const Vector from = p - box_.low(), run = q - p;
-    return {static_cast<double>(from.x) * per_x_,
-            static_cast<double>(from.y) * per_y_,
-            static_cast<double>(run.x) * per_x_,
-            static_cast<double>(run.y) * per_y_,
-            1 / static_cast<double>(std::max<std::int64_t>(run.z, 1)),
+    const double per_rise = 1 / static_cast<double>(std::max<std::int64_t>(q.z - p.z, 1));
+    const double x = column(p), y = height(p), end_x = column(q), end_y = height(q);
+    const auto above = std::upper_bound(row_begin_.begin(), row_begin_.end(), y);
+    return {x,
+            y,
+            end_x,
+            end_y,
+            (end_x - x) * per_rise,
+            (end_y - y) * per_rise,
             p.z,
             q.z,
             line_of({p, q}),
-            index};
+            index,
+            static_cast<std::uint32_t>(above - row_begin_.begin()) - 1};
   }
 
-  void enter(const ReachingSegment& one, std::int64_t bottom, std::int64_t top) {
-    const auto part_below = [&](std::int64_t z) {
-      return static_cast<double>(z - one.low) * one.per_rise;
-    };
-    const double begin = bottom <= one.low ? 0 : part_below(bottom);
-    const double end = top >= one.high ? 1 : part_below(top);
-    double x0 = one.x + begin * one.run_x, y0 = one.y + begin * one.run_y;
-    double x1 = one.x + end * one.run_x, y1 = one.y + end * one.run_y;
+  /// Enters what is below the top.
+  void enter(ReachingSegment& one, std::int64_t top) {
+    double x0 = one.x, y0 = one.y, x1 = one.end_x, y1 = one.end_y;
+    if (top < one.high) {
+      const auto rise = static_cast<double>(top - one.low);
+      x1 = x0 + rise * one.lean_x;
+      y1 = y0 + rise * one.lean_y;
+    }
+    one.x = x1;
+    one.y = y1;
+    one.low = top;
     if (y0 > y1) {
       std::swap(x0, x1);
       std::swap(y0, y1);
     }
-    const std::uint32_t first_row = cell(y0 - kMargin, rows_), last_row = cell(y1 + kMargin, rows_);
-    const double left = std::min(x0, x1), right = std::max(x0, x1);
-    if (first_row == last_row || y1 - y0 < kMargin) {  // flat: on the line between two rows
-      for (std::uint32_t row = first_row; row <= last_row; ++row) enter_row(one, row, left, right);
-      return;
-    }
-    const double lean = (x1 - x0) / (y1 - y0);
-    for (std::uint32_t row = first_row; row <= last_row; ++row) {
+    while (row_begin_[one.row] > y0 - kMargin) --one.row;
+    while (row_begin_[one.row + 1] < y0 - kMargin) ++one.row;
+    const bool is_flat = y1 - y0 < kMargin;
+    const double lean = is_flat ? 0 : (x1 - x0) / (y1 - y0);
+    for (std::uint32_t row = one.row; row_begin_[row] <= y1 + kMargin; ++row) {
       // Where it enters the row and leaves it.
-      double from = x0 + (row - kMargin - y0) * lean, to = x0 + (row + 1 + kMargin - y0) * lean;
-      from = row == first_row ? x0 : std::clamp(from, left, right);
-      to = row == last_row ? x1 : std::clamp(to, left, right);
-      enter_row(one, row, std::min(from, to), std::max(from, to));
+      const double in = row_begin_[row] - kMargin - y0, out = row_begin_[row + 1] + kMargin - y0;
+      const double from = is_flat || in <= 0 ? x0 : x0 + in * lean;
+      const double to = is_flat || out >= y1 - y0 ? x1 : x0 + out * lean;
+      const std::uint32_t first = row * columns_ + cell(std::min(from, to) - kMargin);
+      const std::uint32_t last = row * columns_ + cell(std::max(from, to) + kMargin);
+      entries_.push_back({one.line, one.index, first, last});
+      ++end_of_cell_[first + 2];
     }
   }
 
-  static std::uint32_t cell(double a, std::uint32_t count) {
-    return std::min(static_cast<std::uint32_t>(static_cast<std::int32_t>(std::max(a, 0.0))),
-                    count - 1);
+  std::uint32_t cell(double x) const {
+    return std::min(static_cast<std::uint32_t>(static_cast<std::int32_t>(std::max(x, 0.0))),
+                    columns_ - 1);
   }
 
-  void enter_row(const ReachingSegment& one, std::uint32_t row, double from, double to) {
-    const std::uint32_t first = cell(from - kMargin, columns_), last = cell(to + kMargin, columns_);
-    for (std::uint32_t at = row * columns_ + first; at <= row * columns_ + last; ++at) {
-      entries_.push_back({one.line, one.index, at});
-      ++end_of_cell_[at + 2];
-    }
-  }
-
+  /// From left to right in each row: each with those that begin before it ends.
   void compare_entries() {
     for (std::size_t i = 2; i < end_of_cell_.size(); ++i) end_of_cell_[i] += end_of_cell_[i - 1];
     sorted_.resize(entries_.size());
-    for (const CellEntry& entry : entries_) sorted_[end_of_cell_[entry.cell + 1]++] = entry;
-    for (std::size_t cell = 0; cell + 2 < end_of_cell_.size(); ++cell) {
-      const std::size_t begin = end_of_cell_[cell], end = end_of_cell_[cell + 1];
-      std::size_t middles = 0;
-      while (begin + middles < end && sorted_[begin + middles].index < middles_.size()) ++middles;
-      compare({sorted_.data() + begin, sorted_.data() + end}, middles);
+    for (const CellEntry& entry : entries_) sorted_[end_of_cell_[entry.first + 1]++] = entry;
+    separate_components();
+    for (std::size_t i = 0; i < sorted_.size(); ++i) {
+      compare_run(i, end_of_cell_[sorted_[i].last + 1]);
+    }
+    compare_coplanar();
+  }
+
+  void separate_components() {
+    for (std::size_t k = 0; k < 6; ++k) {
+      lines_[k].resize(std::max(lines_[k].size(), sorted_.size() + kLanes));
+    }
+    for (std::size_t i = 0; i < sorted_.size(); ++i) {
+      for (std::size_t k = 0; k < 6; ++k) lines_[k][i] = sorted_[i].line[k];
     }
   }
 
-  /// Each of the first few with all behind it.
-  void compare(std::span<const CellEntry> cell, std::size_t few) {
-    if (cell.size() < 2 || few == 0) return;
-    for (std::size_t k = 0; k < 6; ++k) {
-      lines_[k].resize(std::max(lines_[k].size(), cell.size() + kLanes));
-      for (std::size_t i = 0; i < cell.size(); ++i) lines_[k][i] = cell[i].line[k];
-      std::fill_n(&lines_[k][cell.size()], kLanes, std::uint16_t{0});
-    }
-    for (std::size_t i = 0; i < few; ++i) {
-      for (std::size_t begin = i + 1; begin < cell.size(); begin += kBlock) {
-        const std::size_t count = std::min(kBlock, cell.size() - begin);
-        const std::size_t padded = (count + kLanes - 1) / kLanes * kLanes;
-        const LineComponents lines = {&lines_[0][begin], &lines_[1][begin], &lines_[2][begin],
-                                      &lines_[3][begin], &lines_[4][begin], &lines_[5][begin]};
-        std::uint16_t* const found = is_coplanar_.data();
-        kHasAvx2 ? find_coplanar_avx2(cell[i].line, lines, padded, found)
-                 : find_coplanar(cell[i].line, lines, padded, found);
-        const auto next = [&](const std::uint16_t* from) {  // a byte of each of them is 1
-          return static_cast<const std::uint16_t*>(
-              std::memchr(from, 1, 2 * static_cast<std::size_t>(found + count - from)));
-        };
-        for (const std::uint16_t* at = next(found); at != nullptr; at = next(at + 1)) {
-          compare(cell[i].index, cell[begin + static_cast<std::size_t>(at - found)].index);
+  /// Entry i with those behind it.
+  void compare_run(std::size_t i, std::size_t end) {
+    const CellEntry& one = sorted_[i];
+    if (one.index >= middles_.size() && end - i <= kLanes) {  // a stub meets none
+      for (std::size_t j = i + 1; j < end; ++j) {
+        const CellEntry& other = sorted_[j];
+        if (other.index < middles_.size() && may_be_coplanar(one.line, other.line)) {
+          coplanar_.emplace_back(other.index, one.index);
         }
       }
+      return;
+    }
+    behind_.clear();
+    kHasAvx2 ? add_coplanar_avx2(one.line, lines_, i + 1, end, behind_)
+             : add_coplanar(one.line, lines_, i + 1, end, behind_);
+    for (const std::size_t j : behind_) {
+      const auto [low, high] = std::minmax({one.index, sorted_[j].index});
+      if (low < middles_.size()) coplanar_.emplace_back(low, high);
     }
   }
 
-  void compare(std::uint32_t i, std::uint32_t j) {
-    if (std::min(i, j) >= middles_.size()) return;
-    const DrawnSegment& a = segment(std::min(i, j));
-    if (middles_.size() + a.stub == std::max(i, j)) return;
-    const DrawnSegment& b = segment(std::max(i, j));
-    if (a.owner != b.owner && meet(a.at, b.at)) found_.push_back(std::max(a.owner, b.owner));
+  /// What may be coplanar: exactly. The segments are asked for ahead, as they stand anywhere.
+  void compare_coplanar() {
+    constexpr std::size_t kAhead = 8;
+    for (std::size_t i = 0; i < coplanar_.size() + kAhead; ++i) {
+      if (i < coplanar_.size()) {
+        __builtin_prefetch(&segment(coplanar_[i].first));
+        __builtin_prefetch(&segment(coplanar_[i].second));
+      }
+      if (i < kAhead) continue;
+      const auto [first, second] = coplanar_[i - kAhead];
+      const DrawnSegment &a = segment(first), &b = segment(second);
+      if (middles_.size() + a.stub == second || a.owner == b.owner) continue;
+      if (meet(a.at, b.at)) found_.push_back(std::max(a.owner, b.owner));
+    }
+    coplanar_.clear();
   }
 
-  static constexpr std::size_t kLanes = 16, kBlock = 256;
-  static constexpr double kMargin = 0x1p-20;  // of a cell
+  static constexpr double kMargin = 0x1p-20;  // of a column, and of 1024 in y
   const std::vector<DrawnSegment>& middles_;
   const std::vector<DrawnSegment>& stubs_;  ///< by index behind the middles
   std::uint32_t columns_, rows_;
   GrowingBox box_;
-  double per_x_, per_y_;                            ///< cells in a unit of length
+  double per_x_, per_y_;
+  std::vector<double> row_begin_;
   std::vector<std::int64_t> bottom_;                ///< of each slab
   std::vector<std::vector<std::uint32_t>> begins_;  ///< what begins in each slab
-  std::vector<CellEntry> entries_, sorted_;         ///< sorted by cell
+  std::vector<CellEntry> entries_, sorted_;         ///< sorted by first cell
   std::vector<std::uint32_t> end_of_cell_;
-  std::array<std::vector<std::uint16_t>, 6> lines_;  ///< of one cell, by component
-  std::array<std::uint16_t, kBlock> is_coplanar_{};
+  LineComponents lines_;  ///< of sorted_
+  std::vector<std::size_t> behind_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> coplanar_;  ///< middle and other
   std::vector<std::uint32_t> found_;
 };
 

@@ -7,64 +7,140 @@
 #include "ar3d/algorithms/two_bend_109/partition.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <optional>
+#include <span>
+#include <tuple>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/long_vector.h"
 
 namespace ar3d::two_bend_109 {
 namespace {
 
-/// The components of a core without an induced cycle.
-struct Pieces {
-  std::vector<std::vector<Vertex>> of;
-  std::vector<bool> alive;  ///< has a cycle or a vertex of degree below 4 in the graph
-  bool has_alive() const { return std::find(alive.begin(), alive.end(), true) != alive.end(); }
-  /// Null if all are alive.
-  const std::vector<Vertex>* first_dead() const {
-    const auto dead = std::find(alive.begin(), alive.end(), false);
-    return dead == alive.end() ? nullptr : &of[static_cast<std::size_t>(dead - alive.begin())];
-  }
-  /// @pre has_alive().
-  const std::vector<Vertex>& largest_alive() const {
-    const std::vector<Vertex>* largest = nullptr;
-    for (std::size_t i = 0; i < of.size(); ++i) {
-      if (alive[i] && (largest == nullptr || of[i].size() > largest->size())) largest = &of[i];
-    }
-    expect(largest != nullptr, "a piece is alive");
-    return *largest;
-  }
-};
-
-/// The rest of a graph, which are the vertices that are in no part yet, and searches in it. "Core"
-/// is a component of it in which all degrees are at least 3.
-class Rest {
+/// The vertices that are in no part yet are the rest. "Core" is a component of it in which all
+/// degrees are at least 3.
+class Partitioner {
  public:
-  explicit Rest(const Graph& graph) : graph_(graph), at_(graph.num_vertices()) {
+  explicit Partitioner(const Graph& graph) : at_(graph.num_vertices()) {
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      at_[v].degree = static_cast<std::int8_t>(graph.degree(v));
+      for (const HalfEdge& half : graph.incident(v)) at_[v].to[at_[v].degree++] = half.to;
+      at_[v].full_degree = at_[v].degree;
     }
   }
-  bool has(Vertex v) const { return at_[v].degree >= 0; }
-  std::uint32_t degree(Vertex v) const { return static_cast<std::uint32_t>(at_[v].degree); }
-  void remove(Vertex v) {
-    at_[v].degree = -1;
-    for (const HalfEdge& half : graph_.incident(v)) {
-      if (has(half.to)) --at_[half.to].degree;
+
+  std::vector<VertexPart> run() {
+    for (Vertex v = 0; v < at_.size(); ++v) note_degree(v);
+    while (take_next()) {
     }
+    // Nothing is later than a body anyway.
+    std::stable_partition(parts_.begin(), parts_.end(),
+                          [](const VertexPart& part) { return part.kind != PartKind::body; });
+    return std::move(parts_);
   }
 
   /// Half-edges that all searches have looked at, which is what they cost.
   std::uint64_t looked_at() const { return looked_at_; }
+
+ private:
+  bool take_next() {
+    if (std::optional<Vertex> v = next_of(full_leaves_, 1)) return take_single(*v);
+    if (std::optional<Vertex> v = next_of(leaves_, 1)) return take_single(*v);
+    if (std::optional<Vertex> v = next_of(passages_, 2)) {
+      const std::vector<Vertex> cycle = cycle_component(*v);
+      return cycle.empty() ? take_single(*v) : take({PartKind::cycle, cycle, nullptr});
+    }
+    while (first_ < at_.size() && at_[first_].is_taken) ++first_;
+    if (first_ == at_.size()) return false;
+    return take_from_core(first_);
+  }
+
+  /// The first one of the queue that is still there and has at most this degree.
+  std::optional<Vertex> next_of(std::deque<Vertex>& queue, std::uint32_t degree) {
+    while (!queue.empty()) {
+      const Vertex v = queue.front();
+      queue.pop_front();
+      if (!at_[v].is_taken && at_[v].degree <= degree) return v;
+    }
+    return std::nullopt;
+  }
+
+  void note_degree(Vertex v) {
+    const std::size_t degree = at_[v].degree;
+    if (degree == 2) passages_.push_back(v);
+    if (degree <= 1) (at_[v].full_degree == 4 ? full_leaves_ : leaves_).push_back(v);
+  }
+
+  bool take_single(Vertex v) {
+    expect(at_[v].full_degree - at_[v].degree <= 3, "a single has at most 3 earlier neighbours");
+    return take({PartKind::single, {v}, nullptr});
+  }
+
+  bool take(VertexPart part) {
+    for (const Vertex v : part.vertices) remove(v);
+    for (const Vertex v : part.vertices) {
+      for (const Vertex w : neighbours(v)) {
+        if (!at_[w].is_taken) note_degree(w);
+      }
+    }
+    parts_.push_back(std::move(part));
+    return true;
+  }
+
+  /// From a component in which all degrees are at least 3: an induced cycle that leaves only
+  /// components alive, or the component as a body.
+  bool take_from_core(Vertex root) {
+    std::vector<Vertex> cycle = first_cycle(root);
+    if (leaves_all_alive(cycle)) return take({PartKind::cycle, cycle, nullptr});
+    const std::vector<Vertex> core = component(root);
+    auto [dead, alive] = dead_and_alive(core, cycle);
+    if (alive.empty()) {
+      cycle = cycle_beside_cycle(core);
+      if (cycle.empty()) return take_body(core);
+      std::tie(dead, alive) = dead_and_alive(core, cycle);
+    }
+    // The largest living piece grows, so this ends (Lemma E.2).
+    while (!dead.empty()) {
+      cycle = cycle_off(cycle, dead, alive);
+      std::tie(dead, alive) = dead_and_alive(core, cycle);
+    }
+    return take({PartKind::cycle, cycle, nullptr});
+  }
+
+  bool take_body(const std::vector<Vertex>& core) {
+    std::vector<Edge> edges;
+    for (std::size_t i = 0; i < core.size(); ++i) {
+      for (const Vertex to : neighbours(core[i])) {
+        const auto at = std::find(core.begin(), core.end(), to) - core.begin();
+        if (to > core[i]) edges.push_back({static_cast<Vertex>(i), static_cast<Vertex>(at)});
+      }
+    }
+    auto [body, vertices] = find_body(Graph(core.size(), std::move(edges)));
+    expect(body != nullptr, "a core without two disjoint cycles is one of the small bodies");
+    for (Vertex& v : vertices) v = core[v];
+    return take({PartKind::body, std::move(vertices), body});
+  }
+
+  std::span<const Vertex> neighbours(Vertex v) const { return {at_[v].to.data(), at_[v].degree}; }
+
+  void remove(Vertex v) {
+    at_[v].is_taken = true;
+    for (const Vertex w : neighbours(v)) {
+      const auto end = at_[w].to.begin() + at_[w].degree--;
+      std::shift_left(std::find(at_[w].to.begin(), end, v), end, 1);
+    }
+  }
+
   /// The component of v, in cyclic order, if it is a cycle; else nothing. Walks over vertices of
   /// degree 2 only. @pre v has degree 2.
   std::vector<Vertex> cycle_component(Vertex v) {
     std::vector<Vertex> walk = {v};
     Vertex before = v;
-    for (Vertex at = v; degree(at) == 2;) {
+    for (Vertex at = v; at_[at].degree == 2;) {
       Vertex next = at;
-      for (const HalfEdge& half : look_at(at)) {
-        if (has(half.to) && half.to != before) next = half.to;
+      for (const Vertex w : look_at(at)) {
+        if (w != before) next = w;
       }
       if (next == v) return walk;
       before = at;
@@ -76,21 +152,12 @@ class Rest {
 
   std::vector<Vertex> component(Vertex v) {
     ++stamp_;
-    at_[v].mark = stamp_;
-    std::vector<Vertex> found = {v};
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      for (const HalfEdge& half : look_at(found[i])) {
-        if (!has(half.to) || marked(half.to)) continue;
-        at_[half.to].mark = stamp_;
-        found.push_back(half.to);
-      }
-    }
-    return found;
+    return unmarked_component(v);
   }
   /// An induced cycle in the core of root: the first one that a breadth-first search meets, which
   /// is at most 2 log2(k) + 1 long for k vertices.
   std::vector<Vertex> first_cycle(Vertex root) {
-    std::vector<Vertex> cycle = first_cycle_in(root, [&](Vertex v) { return has(v); });
+    std::vector<Vertex> cycle = first_cycle_in(root, [](Vertex) { return true; });
     expect(!cycle.empty(), "a core has a cycle");
     return cycle;
   }
@@ -99,64 +166,44 @@ class Rest {
   /// that is seen: a tree of t vertices has at least t + 2 edges to the cycle, which has at most
   /// two at each of its vertices, so what is larger is no tree.
   bool leaves_all_alive(const std::vector<Vertex>& cycle) {
-    ++stamp_;
-    const std::uint64_t off = stamp_;
-    for (const Vertex v : cycle) at_[v].mark = off;
-    const std::uint64_t first_round = stamp_ + 1;
+    const std::uint64_t off = ++stamp_;
+    for (const Vertex v : cycle) {
+      at_[v].mark = off;
+      prefetch_neighbours(v);
+    }
     for (const Vertex on : cycle) {
-      for (const HalfEdge& half : look_at(on)) {
-        if (!has(half.to) || at_[half.to].mark >= off) continue;
-        ++stamp_;
-        at_[half.to].mark = stamp_;
-        at_[half.to].parent = half.to;
-        queue_ = {half.to};
-        bool is_alive = false;
-        for (std::size_t i = 0; i < queue_.size() && !is_alive; ++i) {
-          const Vertex at = queue_[i];
-          is_alive = graph_.degree(at) < 4 || queue_.size() + 2 > 2 * cycle.size();
-          for (const HalfEdge& next : look_at(at)) {
-            if (!has(next.to) || at_[next.to].mark == off || next.to == at_[at].parent) continue;
-            // A mark of this round closes a cycle; one of a round before leads to a living vertex.
-            if (at_[next.to].mark >= first_round) {
-              is_alive = true;
-              break;
-            }
-            at_[next.to].mark = stamp_;
-            at_[next.to].parent = at;
-            queue_.push_back(next.to);
-          }
-        }
-        if (!is_alive) return false;
+      for (const Vertex root : look_at(on)) {
+        if (at_[root].mark < off && !is_seen_alive(root, off, 2 * cycle.size())) return false;
       }
     }
     return true;
   }
-  Pieces pieces(const std::vector<Vertex>& core, const std::vector<Vertex>& cycle) {
+
+  /// Of the components of the core without the cycle the first one that is not alive and the
+  /// largest one that is; empty if there is none.
+  std::pair<std::vector<Vertex>, std::vector<Vertex>> dead_and_alive(
+      const std::vector<Vertex>& core, const std::vector<Vertex>& cycle) {
     ++stamp_;
     for (const Vertex v : cycle) at_[v].mark = stamp_;
-    Pieces pieces;
+    std::pair<std::vector<Vertex>, std::vector<Vertex>> found;
+    auto& [dead, alive] = found;
     for (const Vertex root : core) {
       if (marked(root)) continue;
-      at_[root].mark = stamp_;
-      std::vector<Vertex> piece = {root};
+      std::vector<Vertex> piece = unmarked_component(root);
       std::size_t ends = 0;  // of the piece's edges
       bool is_full = true;
-      for (std::size_t i = 0; i < piece.size(); ++i) {
-        is_full = is_full && graph_.degree(piece[i]) == 4;
-        for (const HalfEdge& half : look_at(piece[i])) {
-          if (!has(half.to) || std::find(cycle.begin(), cycle.end(), half.to) != cycle.end()) {
-            continue;
-          }
-          ++ends;
-          if (marked(half.to)) continue;
-          at_[half.to].mark = stamp_;
-          piece.push_back(half.to);
+      for (const Vertex v : piece) {
+        is_full = is_full && at_[v].full_degree == 4;
+        for (const Vertex w : neighbours(v)) {
+          if (std::find(cycle.begin(), cycle.end(), w) == cycle.end()) ++ends;
         }
       }
-      pieces.alive.push_back(!is_full || ends / 2 >= piece.size());
-      pieces.of.push_back(std::move(piece));
+      const bool is_alive = !is_full || ends / 2 >= piece.size();
+      if (is_alive ? piece.size() > alive.size() : dead.empty()) {
+        (is_alive ? alive : dead) = std::move(piece);
+      }
     }
-    return pieces;
+    return found;
   }
 
   /// An induced cycle in `dead` and `cycle` less one vertex beside `alive`.
@@ -165,9 +212,8 @@ class Rest {
     ++stamp_;
     for (const Vertex v : alive) at_[v].mark = stamp_;
     const auto beside = std::find_if(cycle.begin(), cycle.end(), [&](Vertex v) {
-      const auto incident = look_at(v);
-      return std::any_of(incident.begin(), incident.end(),
-                         [&](const HalfEdge& half) { return marked(half.to); });
+      const auto to = look_at(v);
+      return std::any_of(to.begin(), to.end(), [&](Vertex w) { return marked(w); });
     });
     expect(beside != cycle.end(), "the cycle touches every piece");
     std::vector<Vertex> allowed = dead;
@@ -193,30 +239,71 @@ class Rest {
     return {};
   }
 
- private:
-  /// The half-edges of v, counted.
-  std::span<const HalfEdge> look_at(Vertex v) {
-    looked_at_ += graph_.degree(v);
-    return graph_.incident(v);
+  /// The neighbours of v, counted.
+  std::span<const Vertex> look_at(Vertex v) {
+    looked_at_ += at_[v].degree;
+    return neighbours(v);
   }
 
   bool marked(Vertex v) const { return at_[v].mark == stamp_; }
+  void prefetch_neighbours(Vertex v) const {
+    for (const Vertex w : neighbours(v)) __builtin_prefetch(&at_[w], 1);
+  }
+
+  std::vector<Vertex> unmarked_component(Vertex v) {
+    at_[v].mark = stamp_;
+    std::vector<Vertex> found = {v};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      for (const Vertex w : look_at(found[i])) {
+        if (marked(w)) continue;
+        at_[w].mark = stamp_;
+        found.push_back(w);
+      }
+    }
+    return found;
+  }
+
+  /// Searches for a sign of life off the vertices marked `off`; `most` bounds the edges to them.
+  bool is_seen_alive(Vertex root, std::uint64_t off, std::size_t most) {
+    ++stamp_;
+    start_at(root);
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      const Vertex at = queue_[i];
+      if (at_[at].full_degree < 4 || queue_.size() + 2 > most) return true;
+      for (const Vertex next : look_at(at)) {
+        if (at_[next].mark == off || next == at_[at].parent) continue;
+        // A mark of this search closes a cycle; a later one than `off` leads to a living vertex.
+        if (at_[next].mark > off) return true;
+        visit(next, at);
+      }
+    }
+    return false;
+  }
+
+  void start_at(Vertex root) {
+    queue_.clear();
+    visit(root, root);
+  }
+  void visit(Vertex v, Vertex parent) {
+    at_[v].mark = stamp_;
+    at_[v].parent = parent;
+    queue_.push_back(v);
+  }
+
   template <class Allowed>
   std::vector<Vertex> first_cycle_in(Vertex root, Allowed&& allowed) {
     // The cycle is induced: a chord would join two vertices of which one was gone through before,
     // and would have ended the search then.
+    constexpr std::size_t kAhead = 8;
     ++stamp_;
-    at_[root].mark = stamp_;
-    at_[root].parent = root;
-    queue_ = {root};
+    start_at(root);
     for (std::size_t i = 0; i < queue_.size(); ++i) {
+      if (i + kAhead < queue_.size()) prefetch_neighbours(queue_[i + kAhead]);
       const Vertex at = queue_[i];
-      for (const HalfEdge& half : look_at(at)) {
-        if (!allowed(half.to) || half.to == at_[at].parent) continue;
-        if (marked(half.to)) return joined(at, half.to);
-        at_[half.to].mark = stamp_;
-        at_[half.to].parent = at;
-        queue_.push_back(half.to);
+      for (const Vertex next : look_at(at)) {
+        if (!allowed(next) || next == at_[at].parent) continue;
+        if (marked(next)) return joined(at, next);
+        visit(next, at);
       }
     }
     return {};
@@ -240,136 +327,38 @@ class Rest {
   bool extend_path(std::vector<Vertex>& path, const std::vector<Vertex>& core) {
     // Extends an induced path in all ways whose vertices are larger than the first one; true as
     // soon as it is a cycle that leaves a living piece.
-    for (const HalfEdge& half : look_at(path.back())) {
-      const Vertex next = half.to;
-      if (!has(next) || next <= path.front()) continue;
+    for (const Vertex next : look_at(path.back())) {
+      if (next <= path.front()) continue;
       std::size_t neighbours = 0;  // on the path
       bool closes = false;
-      for (const HalfEdge& back : look_at(next)) {
-        neighbours += static_cast<std::size_t>(std::count(path.begin(), path.end(), back.to));
-        closes = closes || back.to == path.front();
+      for (const Vertex back : look_at(next)) {
+        neighbours += static_cast<std::size_t>(std::count(path.begin(), path.end(), back));
+        closes = closes || back == path.front();
       }
       if (std::find(path.begin(), path.end(), next) != path.end()) continue;
       if (neighbours == 1 && path.size() == 1) closes = false;  // the first edge
       if (neighbours > (closes ? 2U : 1U)) continue;
       path.push_back(next);
-      if (closes ? pieces(core, path).has_alive() : extend_path(path, core)) return true;
+      if (closes ? !dead_and_alive(core, path).second.empty() : extend_path(path, core))
+        return true;
       path.pop_back();
     }
     return false;
   }
 
-  const Graph& graph_;
-  struct VertexState {
+  /// Fits half a cache line, as the searches wait for memory.
+  struct alignas(32) VertexState {
+    std::array<Vertex, 4> to{};  ///< the neighbours that are there
     std::uint64_t mark = 0;
-    Vertex parent = 0;        ///< in the breadth-first tree, of marked vertices
-    std::int8_t degree = -1;  ///< -1: not there
+    Vertex parent = 0;  ///< in the breadth-first tree, of marked vertices
+    std::uint8_t degree = 0;
+    std::uint8_t full_degree = 0;  ///< in the graph
+    bool is_taken = false;
   };
-  std::vector<VertexState> at_;
+  LongVector<VertexState> at_;
   std::vector<Vertex> queue_;
   std::uint64_t looked_at_ = 0;
   std::uint64_t stamp_ = 0;
-};
-
-class Partitioner {
- public:
-  explicit Partitioner(const Graph& graph) : graph_(graph), rest_(graph) {}
-
-  std::vector<VertexPart> run() {
-    for (Vertex v = 0; v < graph_.num_vertices(); ++v) note_degree(v);
-    while (take_next()) {
-    }
-    // Nothing is later than a body anyway.
-    std::stable_partition(parts_.begin(), parts_.end(),
-                          [](const VertexPart& part) { return part.kind != PartKind::body; });
-    return std::move(parts_);
-  }
-
-  std::uint64_t looked_at() const { return rest_.looked_at(); }
-
- private:
-  bool take_next() {
-    if (std::optional<Vertex> v = next_of(full_leaves_, 1)) return take_single(*v);
-    if (std::optional<Vertex> v = next_of(leaves_, 1)) return take_single(*v);
-    if (std::optional<Vertex> v = next_of(passages_, 2)) {
-      const std::vector<Vertex> cycle = rest_.cycle_component(*v);
-      return cycle.empty() ? take_single(*v) : take({PartKind::cycle, cycle, nullptr});
-    }
-    while (first_ < graph_.num_vertices() && !rest_.has(first_)) ++first_;
-    if (first_ == graph_.num_vertices()) return false;
-    return take_from_core(first_);
-  }
-
-  /// The first one of the queue that is still there and has at most this degree.
-  std::optional<Vertex> next_of(std::deque<Vertex>& queue, std::uint32_t degree) {
-    while (!queue.empty()) {
-      const Vertex v = queue.front();
-      queue.pop_front();
-      if (rest_.has(v) && rest_.degree(v) <= degree) return v;
-    }
-    return std::nullopt;
-  }
-
-  void note_degree(Vertex v) {
-    const std::uint32_t degree = rest_.degree(v);
-    if (degree == 2) passages_.push_back(v);
-    if (degree <= 1) (graph_.degree(v) == 4 ? full_leaves_ : leaves_).push_back(v);
-  }
-
-  bool take_single(Vertex v) {
-    expect(graph_.degree(v) - rest_.degree(v) <= 3, "a single has at most 3 earlier neighbours");
-    return take({PartKind::single, {v}, nullptr});
-  }
-
-  bool take(VertexPart part) {
-    for (const Vertex v : part.vertices) rest_.remove(v);
-    for (const Vertex v : part.vertices) {
-      for (const HalfEdge& half : graph_.incident(v)) {
-        if (rest_.has(half.to)) note_degree(half.to);
-      }
-    }
-    parts_.push_back(std::move(part));
-    return true;
-  }
-
-  /// From a component in which all degrees are at least 3: an induced cycle that leaves only
-  /// components alive, or the component as a body.
-  bool take_from_core(Vertex root) {
-    std::vector<Vertex> cycle = rest_.first_cycle(root);
-    if (rest_.leaves_all_alive(cycle)) return take({PartKind::cycle, cycle, nullptr});
-    const std::vector<Vertex> core = rest_.component(root);
-    Pieces pieces = rest_.pieces(core, cycle);
-    if (!pieces.has_alive()) {
-      cycle = rest_.cycle_beside_cycle(core);
-      if (cycle.empty()) return take_body(core);
-      pieces = rest_.pieces(core, cycle);
-    }
-    // The largest living piece grows, so this ends (Lemma E.2).
-    while (const std::vector<Vertex>* dead = pieces.first_dead()) {
-      cycle = rest_.cycle_off(cycle, *dead, pieces.largest_alive());
-      pieces = rest_.pieces(core, cycle);
-    }
-    return take({PartKind::cycle, cycle, nullptr});
-  }
-
-  bool take_body(const std::vector<Vertex>& core) {
-    std::vector<Edge> edges;
-    for (std::size_t i = 0; i < core.size(); ++i) {
-      for (const HalfEdge& half : graph_.incident(core[i])) {
-        const auto at = std::find(core.begin(), core.end(), half.to);
-        if (at != core.end() && half.to > core[i]) {
-          edges.push_back({static_cast<Vertex>(i), static_cast<Vertex>(at - core.begin())});
-        }
-      }
-    }
-    auto [body, vertices] = find_body(Graph(core.size(), std::move(edges)));
-    expect(body != nullptr, "a core without two disjoint cycles is one of the small bodies");
-    for (Vertex& v : vertices) v = core[v];
-    return take({PartKind::body, std::move(vertices), body});
-  }
-
-  const Graph& graph_;
-  Rest rest_;
   std::vector<VertexPart> parts_;
   std::deque<Vertex> full_leaves_;  ///< degree at most 1 in the rest, 4 in the graph
   std::deque<Vertex> leaves_;       ///< degree at most 1 in the rest, less than 4 in the graph

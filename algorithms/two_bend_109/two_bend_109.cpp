@@ -57,23 +57,6 @@ std::vector<Component> components_of(const Graph& graph) {
   return components;
 }
 
-struct PartCensus {
-  std::int64_t components = 0, singles = 0, cycles = 0, bodies = 0, slots = 0, jitter = 0,
-               tried = 0;
-
-  void add(const std::vector<VertexPart>& parts) {
-    ++components;
-    for (const VertexPart& part : parts) {
-      ++(part.kind == PartKind::single ? singles : part.kind == PartKind::cycle ? cycles : bodies);
-    }
-  }
-  std::vector<Counter> counters() const {
-    return {
-        {"components", components}, {"singles", singles}, {"cycles", cycles}, {"bodies", bodies},
-        {"slots", slots},           {"jitter", jitter},   {"tried", tried}};
-  }
-};
-
 /// Extents of the union of what is drawn over all choices of all vertices in their squares
 /// (instance_bound): a bend moves with its vertex. O(n).
 std::array<std::int64_t, 3> extents_of_choices(const Graph& graph,
@@ -97,38 +80,61 @@ std::array<std::int64_t, 3> extents_of_choices(const Graph& graph,
   return {high.x - low.x, high.y - low.y, high.z - low.z};
 }
 
-/// A component's drawing, and the extents of all that its scale allows.
-std::pair<Placement, std::array<std::int64_t, 3>> place_component(const Component& component,
-                                                                  LayoutScale scale,
-                                                                  PartCensus& census) {
-  const Graph& graph = component.graph;
-  const std::vector<VertexPart> parts = find_partition(graph);
-  census.add(parts);
-  const SlotArrangement arrangement = arrange(graph, parts);
-  census.slots += static_cast<std::int64_t>(arrangement.kind.size());
-  const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
-  for (;; scale = scale.next(graph.num_vertices())) {
-    const Layout layout = lay_out(graph, parts, arrangement, scale, component.vertices);
-    std::optional<Placement> placement =
-        place(graph, parts, arrangement, layout,
-              mix_seed(seed, static_cast<std::uint64_t>(scale.jitter)));
-    if (placement) {
-      census.jitter = std::max(census.jitter, scale.jitter);
-      census.tried += placement->tried;
-      const auto bound = extents_of_choices(graph, parts, arrangement, layout, *placement);
-      return {*std::move(placement), bound};
-    }
-    expect(scale.jitter < LayoutScale::always_enough(graph.num_vertices()).jitter,
-           "there are more points than closed ones");
-  }
-}
-
-/// Collects the components side by side.
+/// Draws components and collects them side by side.
 class SideBySide {
  public:
   explicit SideBySide(const Graph& graph)
       : graph_(graph), at_(graph.num_vertices()), bends_(graph.num_edges()) {}
 
+  /// Begins with this scale.
+  void add(const Component& component, LayoutScale scale) {
+    const Graph& graph = component.graph;
+    const std::vector<VertexPart> parts = find_partition(graph);
+    ++components_;
+    for (const VertexPart& part : parts) ++parts_[static_cast<std::size_t>(part.kind)];
+    const SlotArrangement arrangement = arrange(graph, parts);
+    slots_ += static_cast<std::int64_t>(arrangement.kind.size());
+    const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
+    for (;; scale = scale.next(graph.num_vertices())) {
+      const Layout layout = lay_out(graph, parts, arrangement, scale, component.vertices);
+      const std::optional<Placement> placement =
+          place(graph, parts, arrangement, layout,
+                mix_seed(seed, static_cast<std::uint64_t>(scale.jitter)));
+      if (placement) {
+        jitter_ = std::max(jitter_, scale.jitter);
+        tried_ += placement->tried;
+        const auto bound = extents_of_choices(graph, parts, arrangement, layout, *placement);
+        return add(component, *placement, bound);
+      }
+      expect(scale.jitter < LayoutScale::always_enough(graph.num_vertices()).jitter,
+             "there are more points than closed ones");
+    }
+  }
+
+  Drawing finish() const {
+    Coordinates vertices(at_.size(), largest_);
+    for (std::size_t v = 0; v < at_.size(); ++v) vertices.set(v, at_[v]);
+    auto bends = std::make_shared<StoredBends>();
+    std::vector<Point> two(2);
+    for (const auto& [at_u, at_v] : bends_) {
+      two[0] = at_u;
+      two[1] = at_v;
+      bends->add_edge(two);
+    }
+    Drawing drawing{"two-bend-109", kAxisLattice, std::move(vertices), graph_.shared_edges(),
+                    std::move(bends)};
+    if (!at_.empty()) drawing.instance_bound = {bound_[0] - 1, bound_[1], bound_[2]};
+    drawing.counters = {{"components", components_},
+                        {"singles", parts_[0]},
+                        {"cycles", parts_[1]},
+                        {"bodies", parts_[2]},
+                        {"slots", slots_},
+                        {"jitter", jitter_},
+                        {"tried", tried_}};
+    return drawing;
+  }
+
+ private:
   void add(const Component& component, const Placement& placement,
            const std::array<std::int64_t, 3>& bound) {
     const Graph& part = component.graph;
@@ -156,29 +162,13 @@ class SideBySide {
     largest_ = std::max({largest_, next_x_, box.high().y - low.y, box.high().z - low.z});
   }
 
-  Drawing finish() const {
-    Coordinates vertices(at_.size(), largest_);
-    for (std::size_t v = 0; v < at_.size(); ++v) vertices.set(v, at_[v]);
-    auto bends = std::make_shared<StoredBends>();
-    std::vector<Point> two(2);
-    for (const auto& [at_u, at_v] : bends_) {
-      two[0] = at_u;
-      two[1] = at_v;
-      bends->add_edge(two);
-    }
-    Drawing drawing{"two-bend-109", kAxisLattice, std::move(vertices), graph_.shared_edges(),
-                    std::move(bends)};
-    if (!at_.empty()) drawing.instance_bound = {bound_[0] - 1, bound_[1], bound_[2]};
-    return drawing;
-  }
-
- private:
   const Graph& graph_;
   std::vector<Point> at_;
   std::vector<std::array<Point, 2>> bends_;
   std::int64_t next_x_ = 0;
   std::int64_t largest_ = 1;
-  std::array<std::int64_t, 3> bound_{};
+  std::array<std::int64_t, 3> bound_{}, parts_{};  ///< parts by kind
+  std::int64_t components_ = 0, slots_ = 0, jitter_ = 0, tried_ = 0;
 };
 
 }  // namespace
@@ -192,17 +182,12 @@ Drawing draw(const Graph& graph, const Options& options) {
                                  options.first_jitter));
   }
   SideBySide output(graph);
-  PartCensus census;
   for (const Component& component : components_of(graph)) {
-    const LayoutScale scale = options.effort == 0
-                                  ? LayoutScale::always_enough(component.graph.num_vertices())
-                                  : LayoutScale{options.first_jitter};
-    const auto [placement, bound] = place_component(component, scale, census);
-    output.add(component, placement, bound);
+    output.add(component, options.effort == 0
+                              ? LayoutScale::always_enough(component.graph.num_vertices())
+                              : LayoutScale{options.first_jitter});
   }
-  Drawing drawing = output.finish();
-  drawing.counters = census.counters();
-  return drawing;
+  return output.finish();
 }
 
 Algorithm row() {

@@ -1,9 +1,6 @@
 // What is needed: each rule broken, and what then goes wrong.
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <memory>
+#include <functional>
 #include <vector>
 
 #include "algorithms/two_bend_109_support.h"
@@ -16,87 +13,62 @@
 namespace ar3d::two_bend_109 {
 namespace {
 
-struct Stages {
-  Graph graph;
-  std::vector<VertexPart> parts;
-  SlotArrangement arrangement;
-  Layout layout;
-};
-
-Stages stages_of(const Graph& graph) {
-  Stages s{graph, find_partition(graph), {}, {}};
-  s.arrangement = arrange(graph, s.parts);
-  s.layout = lay_out(graph, s.parts, s.arrangement, {16});
-  return s;
+/// Places the graph after `change` has been applied to every vertex.
+std::optional<Placement> placed(
+    const Graph& graph, const std::function<void(Vertex, SlotArrangement&, Layout&)>& change) {
+  const std::vector<VertexPart> parts = find_partition(graph);
+  SlotArrangement arrangement = arrange(graph, parts);
+  Layout layout = lay_out(graph, parts, arrangement, {16});
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) change(v, arrangement, layout);
+  return place(graph, parts, arrangement, layout, 1);
 }
 
-std::optional<Placement> placed(const Stages& s) {
-  return place(s.graph, s.parts, s.arrangement, s.layout, 1);
+bool is_three_down(const SlotArrangement& arrangement, Vertex v) {
+  return arrangement.stubs[v].ends[0] == Vector{0, 0, 3};
 }
 
-Graph random_graph() { return generate(find_family("random-4-regular"), 60, 3); }
-
-TEST(TwoBend109Mutation, UnbrokenItIsPlaced) { EXPECT_TRUE(placed(stages_of(random_graph()))); }
-
-TEST(TwoBend109Mutation, LowerHeightsTurnTooMuch) {
-  Stages s = stages_of(random_graph());
-  for (Point& p : s.layout.place) p.z /= 8;
-  EXPECT_THROW(placed(s), InternalError);
-}
-
-TEST(TwoBend109Mutation, NarrowSlotsTurnTooMuch) {
-  Stages s = stages_of(random_graph());
-  for (Point& p : s.layout.place) p.x /= 40;
-  EXPECT_THROW(placed(s), InternalError);
-}
-
-TEST(TwoBend109Mutation, PairsWithoutAGapTurnTooMuch) {
-  Stages s = stages_of(random_graph());
-  for (Point& p : s.layout.place) p.y = 0;
-  EXPECT_THROW(placed(s), InternalError);
-}
-
-TEST(TwoBend109Mutation, ThreeDownMustStandBetweenItsNeighbours) {
-  Stages s = stages_of(random_graph());
-  for (Vertex v = 0; v < s.graph.num_vertices(); ++v) {
-    if (s.arrangement.stubs[v].ends[0] == Vector{0, 0, 3}) s.layout.place[v].x += 10'000'000;
-  }
-  EXPECT_THROW(placed(s), InternalError);
-}
-
-TEST(TwoBend109Mutation, ThreeDownNeedsItsLoneStubOnTheSideOfOne) {
-  Stages s = stages_of(random_graph());
-  for (Stubs& stubs : s.arrangement.stubs) {
-    if (stubs.ends[0] == Vector{0, 0, 3}) stubs = mirrored(stubs, true, false);
-  }
-  EXPECT_THROW(placed(s), InternalError);
-}
-
-TEST(TwoBend109Mutation, CornersOfACycleNeedTheirOwnStance) {
-  Stages s = stages_of(testing::cycle(8));
-  for (Vertex v = 0; v < 8; ++v) {
-    if (s.arrangement.spot[v] == SlotSpot::lower)
-      s.arrangement.stubs[v] = stubs_of(Stance::chain, 0);
-  }
-  EXPECT_THROW(placed(s), InternalError);
+TEST(TwoBend109Mutation, TurnsTooMuchWhenARuleIsBroken) {
+  const Graph random = generate(find_family("random-4-regular"), 60, 3);
+  EXPECT_TRUE(placed(random, [](Vertex, SlotArrangement&, Layout&) {})) << "unbroken";
+  EXPECT_THROW(placed(random, [](Vertex v, auto&, Layout& l) { l.place[v].z /= 8; }), InternalError)
+      << "lower heights";
+  EXPECT_THROW(placed(random, [](Vertex v, auto&, Layout& l) { l.place[v].x /= 40; }),
+               InternalError)
+      << "narrow slots";
+  EXPECT_THROW(placed(random, [](Vertex v, auto&, Layout& l) { l.place[v].y = 0; }), InternalError)
+      << "pairs without a gap";
+  const auto stands_elsewhere = [](Vertex v, const SlotArrangement& a, Layout& layout) {
+    if (is_three_down(a, v)) layout.place[v].x += 10'000'000;
+  };
+  EXPECT_THROW(placed(random, stands_elsewhere), InternalError)
+      << "three down must stand between its neighbours";
+  const auto is_mirrored = [](Vertex v, SlotArrangement& a, const Layout&) {
+    if (is_three_down(a, v)) a.stubs[v] = mirrored(a.stubs[v], true, false);
+  };
+  EXPECT_THROW(placed(random, is_mirrored), InternalError)
+      << "three down needs its lone stub on the side of one";
+  const auto is_chain = [](Vertex v, SlotArrangement& a, const Layout&) {
+    if (a.spot[v] == SlotSpot::lower) a.stubs[v] = stubs_of(Stance::chain, 0);
+  };
+  EXPECT_THROW(placed(testing::cycle(8), is_chain), InternalError)
+      << "corners of a cycle need their own stance";
 }
 
 // The verifier sees what the construction must not do.
 TEST(TwoBend109Mutation, AMovedBendIsFound) {
   const Graph graph = testing::octahedron();
   const Drawing drawing = draw(graph);
-  std::vector<Point> points;
-  for (EdgeId moved = 0; moved < graph.num_edges(); ++moved) {
-    Coordinates vertices(graph.num_vertices(), kMaxCoordinate);
-    for (Vertex v = 0; v < graph.num_vertices(); ++v) vertices.set(v, drawing.vertex(v));
-    auto bends = std::make_shared<StoredBends>();
-    for (EdgeId e = 0; e < graph.num_edges(); ++e) {
-      drawing.polyline(e, points);
-      if (e == moved) points[1] = points[1] + Vector{1, 0, 0};
-      bends->add_edge({points[1], points[2]});
-    }
-    const Drawing broken("two-bend-109", kAxisLattice, std::move(vertices), graph.shared_edges(),
-                         std::move(bends));
+  std::vector<Point> at, points;
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) at.push_back(drawing.vertex(v));
+  std::vector<std::vector<Point>> bends;
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    drawing.polyline(e, points);
+    bends.push_back({points[1], points[2]});
+  }
+  for (auto& both : bends) {
+    both[0] = both[0] + Vector{1, 0, 0};
+    const Drawing broken = testing::two_bend_drawing(graph.edges(), at, bends);
+    both[0] = both[0] + Vector{-1, 0, 0};
     const Certificate certificate = certify(graph, broken, row().guarantee);
     EXPECT_TRUE(certificate.violated());
     EXPECT_EQ(certificate.violations[0].kind, ViolationKind::vertex_angle);

@@ -1,5 +1,4 @@
-// Lemma E.3, Step E.2, the comparison of two segments; Lemmas E.4 and E.6: angles and sizes at
-// every scale.
+// Step E.2, the comparison of two segments; Lemmas E.4 and E.6: angles and sizes at every scale.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,9 +7,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <vector>
 
-#include "algorithms/two_bend_109_angles.h"
 #include "algorithms/two_bend_109_support.h"
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 #include "ar3d/algorithms/two_bend_109/layout.h"
@@ -24,148 +23,6 @@
 
 namespace ar3d::two_bend_109 {
 namespace {
-
-TEST(TwoBend109Stubs, AreRegularTetrahedraOfTheStatedSize) {
-  for (const Stubs& stubs : all_stubs()) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      EXPECT_LE(std::abs(stubs.ends[i].x), kStubX);
-      EXPECT_LE(std::abs(stubs.ends[i].y), kStubY);
-      EXPECT_LE(std::abs(stubs.ends[i].z), kStubZ);
-      for (std::size_t j = 0; j < i; ++j) {
-        EXPECT_TRUE(compare_cosine(kAxisLattice, stubs.ends[i], stubs.ends[j], {-1, 3}) == 0);
-      }
-    }
-  }
-  for (const Stance stance : {Stance::chain, Stance::corner}) {
-    for (const unsigned downs : {0u, 1u, 2u}) {
-      for (const Vector& end : stubs_of(stance, downs).ends) {
-        EXPECT_LE(std::abs(end.z), kCycleStubZ);
-      }
-    }
-  }
-}
-
-void expect_slack(Vector stub, Real3 direction, double needed) {
-  EXPECT_LE(angle(real(stub), direction) + needed, kMostTurn) << to_string(stub);
-}
-
-TEST(TwoBend109Stubs, LeaveTheSlackThatLemmaE4Needs) {
-  const Stubs middle = stubs_of(Stance::middle, 0);
-  for (const std::size_t i : {0u, 1u}) expect_slack(middle.ends[i], kUp, lean(middle.up_slope));
-  for (const std::size_t i : {2u, 3u}) expect_slack(middle.ends[i], kDown, lean(middle.down_slope));
-  const Stubs three = stubs_of(Stance::three_down, 3);
-  expect_slack(three.ends[0], kUp, lean(three.up_slope));
-  for (const Sides& sides : kCycleStances) {
-    for (const unsigned downs : {0u, 1u, 2u}) {
-      const Stubs stubs = stubs_of(sides.stance, downs);
-      for (const std::size_t i : {0u, 1u}) {
-        const bool goes_up = downs == 0 || (downs == 1 && i == 0);
-        expect_slack(stubs.ends[i], goes_up ? kUp : kDown,
-                     lean(goes_up ? stubs.up_slope : stubs.down_slope));
-      }
-      expect_slack(stubs.ends[2], sides.first, sides.slack);
-      expect_slack(stubs.ends[3], sides.second, sides.slack);
-    }
-  }
-}
-
-/// A row of the table of Lemma E.3, in tenths of a degree, rounded up; on a cycle, how far off its
-/// two sides the stubs are, of which the table names the larger.
-struct TableRow {
-  Stance stance;
-  unsigned downs;
-  std::int64_t off_vertical;
-  std::int64_t off_first;
-  std::int64_t off_second;
-  std::int64_t up_slope;
-  std::int64_t down_slope;
-};
-
-std::int64_t tenths(double degrees) { return static_cast<std::int64_t>(std::ceil(10 * degrees)); }
-
-TEST(TwoBend109Stubs, HaveTheAnglesOfTheTable) {
-  const std::vector<TableRow> table = {
-      {Stance::middle, 0, 590, 0, 0, 5, 5},
-      {Stance::chain, 0, 563, 511, 195, 4, 4},
-      {Stance::chain, 1, 429, 411, 320, 2, 2},
-      {Stance::corner, 0, 563, 619, 571, 4, 4},
-      {Stance::corner, 1, 429, 320, 116, 2, 2},
-      {Stance::triangle_right, 0, 590, 636, 636, 5, 5},
-      {Stance::triangle_right, 1, 429, 116, 493, 2, 2},
-      {Stance::triangle_upper, 0, 590, 636, 636, 5, 5},
-      {Stance::triangle_upper, 1, 429, 493, 116, 2, 2},
-  };
-  for (const TableRow& row : table) {
-    SCOPED_TRACE(static_cast<int>(row.stance) * 10 + static_cast<int>(row.downs));
-    const Stubs stubs = stubs_of(row.stance, row.downs);
-    EXPECT_EQ(tenths(std::max(angle(real(stubs.ends[0]), kUp),
-                              angle(real(stubs.ends[1]), row.downs == 1 ? kDown : kUp))),
-              row.off_vertical);
-    EXPECT_EQ(stubs.up_slope, row.up_slope);
-    EXPECT_EQ(stubs.down_slope, row.down_slope);
-    if (row.stance == Stance::middle) continue;
-    const auto sides = std::find_if(kCycleStances.begin(), kCycleStances.end(),
-                                    [&](const Sides& known) { return known.stance == row.stance; });
-    EXPECT_EQ(tenths(angle(real(stubs.ends[2]), sides->first)), row.off_first);
-    EXPECT_EQ(tenths(angle(real(stubs.ends[3]), sides->second)), row.off_second);
-  }
-  const Stubs three = stubs_of(Stance::three_down, 3);
-  EXPECT_EQ(three.ends[0], (Vector{0, 0, 3}));
-  for (const std::size_t i : {1u, 2u, 3u}) {
-    EXPECT_NEAR(angle(real(three.ends[i]), kDown), kMostTurn, 1e-12);
-  }
-  EXPECT_EQ(three.up_slope, 1);
-  EXPECT_EQ(three.down_slope, 3);
-}
-
-// The condition of docs/two-bend-109.md on the lower stubs of three down, against the angle itself.
-TEST(TwoBend109Stubs, OfThreeDownTakeEdgesOnTheirSide) {
-  const Stubs three = stubs_of(Stance::three_down, 3);
-  const std::array<double, 3> seen = {0, 120, 240};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (double t = 0.5; t <= lean(three.down_slope); t += 0.5) {
-      for (double p = -86.7; p <= 86.7; p += 0.3) {
-        Real3 ahead = at(seen[i] + p);
-        for (double& c : ahead) c *= std::tan(t * kDegree);
-        ahead[2] = -1;
-        EXPECT_LE(angle(real(three.ends[1 + i]), ahead), kMostTurn) << t << " " << p;
-      }
-    }
-  }
-}
-
-// Lemma E.5: no two new middles are the diagonals of a trapezium.
-TEST(TwoBend109Stubs, DiagonalsAreExcludedByHeightsAndSides) {
-  const Stubs middle = stubs_of(Stance::middle, 0);
-  EXPECT_EQ(middle.ends[2].z, middle.ends[3].z) << "a horizontal difference";
-  const Stubs three = stubs_of(Stance::three_down, 3);
-  EXPECT_EQ(three.ends[2].z, three.ends[3].z);
-  EXPECT_GT(three.ends[2].y, three.ends[3].y) << "and inside a triangle the upper corner's";
-  for (const std::size_t i : {2u, 3u}) {
-    EXPECT_GT(three.ends[1].x, three.ends[i].x) << "the lone one is on the right";
-  }
-  for (const Sides& sides : kCycleStances) {
-    const Stubs down = stubs_of(sides.stance, 2);
-    EXPECT_LE(down.ends[0].z, down.ends[1].z) << "the first leads to the lower vertex";
-    for (const unsigned downs : {1u, 2u}) {
-      const Stubs stubs = stubs_of(sides.stance, downs);
-      for (const std::size_t i : {2u, 3u}) {
-        EXPECT_GT(stubs.ends[i].z, stubs.ends[1].z);
-        EXPECT_TRUE(downs == 1 || stubs.ends[i].z > stubs.ends[0].z);
-      }
-    }
-    for (const unsigned downs : {0u, 1u, 2u}) {
-      const Stubs stubs = stubs_of(sides.stance, downs);
-      const Vector d = minus(stubs.ends[2], stubs.ends[3]);
-      // The neighbour of the first side has larger x, or at the triangle's right corner larger y.
-      if (sides.stance == Stance::triangle_right) {
-        EXPECT_GT(d.y, 0);
-      } else {
-        EXPECT_GT(d.x, 0);
-      }
-    }
-  }
-}
 
 TEST(TwoBend109Slots, ListKeepsItsOrder) {
   SlotList list;
@@ -226,6 +83,8 @@ TEST(TwoBend109Crossings, LargeCoordinatesAreExact) {
   EXPECT_FALSE(meet(a, {{far, 0, -far}, {-far, 3, far}}));
   EXPECT_FALSE(meet({{-far, 0, -far}, {far, 2, far - 1}}, {{far, 0, -far}, {-far, 2, far - 2}}));
 }
+
+constexpr double kDegree = std::numbers::pi / 180;
 
 /// sqrt 3 times the largest ratio over J of (a J + b) / (c J + d).
 double ratio(double a, double b, double c, double d) {

@@ -1,11 +1,25 @@
 #pragma once
 
+#include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "ar3d/algorithms/two_bend_109/two_bend_109.h"
 #include "ar3d/verify/certificate.h"
 
 namespace ar3d::testing {
+
+/// A drawing in the algorithm's name, with the bends of each edge.
+inline Drawing two_bend_drawing(std::span<const Edge> edges, const std::vector<Point>& at,
+                                const std::vector<std::vector<Point>>& bends) {
+  Coordinates vertices(at.size(), kMaxCoordinate);
+  for (std::size_t v = 0; v < at.size(); ++v) vertices.set(v, at[v]);
+  auto stored = std::make_shared<StoredBends>();
+  for (const auto& points : bends) stored->add_edge(points);
+  return {"two-bend-109", two_bend_109::kAxisLattice, std::move(vertices),
+          std::make_shared<const std::vector<Edge>>(edges.begin(), edges.end()), std::move(stored)};
+}
 
 /// Empty if the drawing is proved right and has two bends on every edge; else what is wrong.
 inline std::string two_bend_109_fault(const Graph& graph, const Drawing& drawing) {
