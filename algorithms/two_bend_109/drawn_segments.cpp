@@ -17,7 +17,7 @@ namespace {
 
 // Slabs, rows and columns per square root of the number of middles: measured to be fast for random
 // 4-regular graphs of 10^3 to 10^6 vertices and for tori.
-constexpr double kSlabs = 0.1, kRows = 0.03, kColumns = 12;
+constexpr double kSlabs = 0.1, kRows = 0.03;
 
 __extension__ using Int128 = __int128;
 using Int256 = boost::multiprecision::int256_t;
@@ -66,12 +66,6 @@ LineModulo line_of(const LatticeSegment& segment) {
                       w = low(segment.to.z) - z;
   const auto cut = [](std::uint32_t a) { return static_cast<std::uint16_t>(a); };
   return {cut(u), cut(v), cut(w), cut(y * w - z * v), cut(z * u - x * w), cut(x * v - y * u)};
-}
-
-bool may_be_coplanar(const LineModulo& a, const LineModulo& b) {
-  std::uint32_t sum = 0;
-  for (std::size_t k = 0; k < 6; ++k) sum += std::uint32_t{a[k]} * b[(k + 3) % 6];
-  return static_cast<std::uint16_t>(sum) == 0;
 }
 
 using LineComponents = std::array<std::vector<std::uint16_t>, 6>;
@@ -144,12 +138,12 @@ class SlabSweep {
       box_.add(segment(i).at.from);
       box_.add(segment(i).at.to);
     }
-    columns_ = share(kColumns);
+    columns_ = static_cast<std::uint32_t>(48 * std::pow(middles_.size(), 0.4)) + 1;
     const Vector size = box_.high() - box_.low();
     per_x_ = columns_ / static_cast<double>(size.x + 1);
     per_y_ = 1024 / static_cast<double>(size.y + 1);
-    divide_rows(share(kRows) + 1);
-    divide_slabs(share(kSlabs) + 8);
+    divide_rows(share(kRows));
+    divide_slabs(std::min(share(3 * kSlabs), share(kSlabs) + 8));
     std::vector<ReachingSegment> active;
     for (std::size_t slab = 0; slab < bottom_.size(); ++slab) {
       for (const std::uint32_t i : begins_[slab]) active.push_back(started(i));
@@ -313,15 +307,10 @@ class SlabSweep {
   /// Entry i with those behind it.
   void compare_run(std::size_t i, std::size_t end) {
     const CellEntry& one = sorted_[i];
-    if (one.index >= middles_.size() && end - i <= kLanes) {  // a stub meets none
-      for (std::size_t j = i + 1; j < end; ++j) {
-        const CellEntry& other = sorted_[j];
-        if (other.index < middles_.size() && may_be_coplanar(one.line, other.line)) {
-          coplanar_.emplace_back(other.index, one.index);
-        }
-      }
-      return;
-    }
+    const auto is_middle = [&](const CellEntry& entry) { return entry.index < middles_.size(); };
+    const auto begin = sorted_.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    const auto stop = sorted_.begin() + static_cast<std::ptrdiff_t>(end);
+    if (is_middle(one) ? begin == stop : std::none_of(begin, stop, is_middle)) return;
     behind_.clear();
     kHasAvx2 ? add_coplanar_avx2(one.line, lines_, i + 1, end, behind_)
              : add_coplanar(one.line, lines_, i + 1, end, behind_);

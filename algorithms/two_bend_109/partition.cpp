@@ -91,9 +91,11 @@ class Partitioner {
   /// From a component in which all degrees are at least 3: an induced cycle that leaves only
   /// components alive, or the component as a body.
   bool take_from_core(Vertex root) {
-    std::vector<Vertex> cycle = first_cycle(root);
+    // At most 2 log2(k) + 1 long for k vertices.
+    std::vector<Vertex> cycle = first_cycle(root, [](Vertex) { return true; });
     if (leaves_all_alive(cycle)) return take({PartKind::cycle, cycle, nullptr});
-    const std::vector<Vertex> core = component(root);
+    ++stamp_;
+    const std::vector<Vertex> core = unmarked_component(root);
     auto [dead, alive] = dead_and_alive(core, cycle);
     if (alive.empty()) {
       cycle = cycle_beside_cycle(core);
@@ -148,18 +150,6 @@ class Partitioner {
       walk.push_back(at);
     }
     return {};
-  }
-
-  std::vector<Vertex> component(Vertex v) {
-    ++stamp_;
-    return unmarked_component(v);
-  }
-  /// An induced cycle in the core of root: the first one that a breadth-first search meets, which
-  /// is at most 2 log2(k) + 1 long for k vertices.
-  std::vector<Vertex> first_cycle(Vertex root) {
-    std::vector<Vertex> cycle = first_cycle_in(root, [](Vertex) { return true; });
-    expect(!cycle.empty(), "a core has a cycle");
-    return cycle;
   }
 
   /// True if every component of the core without the cycle is alive. Goes through each only until
@@ -221,11 +211,9 @@ class Partitioner {
       if (v != *beside) allowed.push_back(v);
     }
     std::sort(allowed.begin(), allowed.end());
-    std::vector<Vertex> found = first_cycle_in(dead.front(), [&](Vertex v) {
+    return first_cycle(dead.front(), [&](Vertex v) {
       return std::binary_search(allowed.begin(), allowed.end(), v);
     });
-    expect(!found.empty(), "a dead piece and the cycle without a vertex have a cycle");
-    return found;
   }
 
   /// An induced cycle that leaves a living piece, nothing if there is none. Goes through all
@@ -266,7 +254,8 @@ class Partitioner {
   /// Searches for a sign of life off the vertices marked `off`; `most` bounds the edges to them.
   bool is_seen_alive(Vertex root, std::uint64_t off, std::size_t most) {
     ++stamp_;
-    start_at(root);
+    queue_.clear();
+    visit(root, root);
     for (std::size_t i = 0; i < queue_.size(); ++i) {
       const Vertex at = queue_[i];
       if (at_[at].full_degree < 4 || queue_.size() + 2 > most) return true;
@@ -280,23 +269,20 @@ class Partitioner {
     return false;
   }
 
-  void start_at(Vertex root) {
-    queue_.clear();
-    visit(root, root);
-  }
   void visit(Vertex v, Vertex parent) {
     at_[v].mark = stamp_;
     at_[v].parent = parent;
     queue_.push_back(v);
   }
 
+  /// The first cycle of the vertices allowed that a breadth-first search from the root closes. It is
+  /// induced: a chord would join two of which one was gone through before.
   template <class Allowed>
-  std::vector<Vertex> first_cycle_in(Vertex root, Allowed&& allowed) {
-    // The cycle is induced: a chord would join two vertices of which one was gone through before,
-    // and would have ended the search then.
+  std::vector<Vertex> first_cycle(Vertex root, Allowed&& allowed) {
     constexpr std::size_t kAhead = 8;
     ++stamp_;
-    start_at(root);
+    queue_.clear();
+    visit(root, root);
     for (std::size_t i = 0; i < queue_.size(); ++i) {
       if (i + kAhead < queue_.size()) prefetch_neighbours(queue_[i + kAhead]);
       const Vertex at = queue_[i];
@@ -306,7 +292,7 @@ class Partitioner {
         visit(next, at);
       }
     }
-    return {};
+    throw InternalError("internal error: what is searched has a cycle");
   }
 
   std::vector<Vertex> joined(Vertex x, Vertex y) const {

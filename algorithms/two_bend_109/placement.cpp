@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
@@ -162,26 +163,33 @@ class VertexPlacer {
   bool fits(Vertex v, Point at, const std::vector<NewEdge>& edges) {
     made_.at[v] = at;
     for (std::size_t i = 0; i < graph_.degree(v); ++i) made_.ends[v][i] = at + stub(v, i);
-    const std::array<Vector, 4>& stubs = arrangement_.stubs[v].ends;
+    std::array<std::uint8_t, 4> ports = {0, 1, 2, 3};  // first those of the edges
     for (std::size_t i = 0; i < edges.size(); ++i) {
-      const NewEdge& edge = edges[i];
-      const LatticeSegment line{edge.from, at + stubs[edge.port]};
-      if (is_flat(line)) return false;
-      expect(may_turn(edge.stub, line.to - line.from) &&
-                 may_turn(stubs[edge.port], line.from - line.to),
-             "slots and heights keep all turns small");
-      for (std::uint8_t other = 0; other < 4; ++other) {
-        if (other != edge.port && meet(line, {at, at + stubs[other]})) return false;
-      }
-      for (std::size_t j = 0; j < i; ++j) {
-        if (meet(line, {edges[j].from, at + stubs[edges[j].port]})) return false;
-      }
+      std::swap(ports[i], *std::find(ports.begin(), ports.end(), edges[i].port));
     }
-    return keeps_legs_apart(v);
+    std::array<LatticeSegment, 4> own;
+    for (std::size_t i = 0; i < 4; ++i) own[i] = {at, at + arrangement_.stubs[v].ends[ports[i]]};
+    return middles_fit(edges, own) && keeps_legs_apart(v);
   }
 
-  /// Flat middles would meet one another often, and without them almost nothing meets.
-  static bool is_flat(const LatticeSegment& middle) { return middle.from.y == middle.to.y; }
+  /// The i-th edge ends with the i-th of the segments of its own upper end. A flat middle is
+  /// refused: it would meet other flat ones often, and without them almost nothing meets.
+  static bool middles_fit(const std::vector<NewEdge>& edges, std::span<const LatticeSegment> own) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const LatticeSegment line{edges[i].from, own[i].to};
+      if (line.from.y == line.to.y) return false;
+      expect(may_turn(edges[i].stub, line.to - line.from) &&
+                 may_turn(own[i].to - own[i].from, line.from - line.to),
+             "slots and heights keep all turns small");
+      for (std::size_t j = 0; j < own.size(); ++j) {
+        if (j != i && meet(line, own[j])) return false;
+      }
+      for (std::size_t j = 0; j < i; ++j) {
+        if (meet(line, {edges[j].from, own[j].to})) return false;
+      }
+    }
+    return true;
+  }
 
   /// No two edges to one body are the diagonals of a trapezium wherever the body stands.
   bool keeps_legs_apart(Vertex v) const {
@@ -241,7 +249,7 @@ class VertexPlacer {
     Vector chosen;
     if (!choose([&](Vector offset) {
           chosen = offset;
-          return body_fits(part, origin + offset, edges);
+          return middles_fit(edges, segments_of(*part.body, origin + offset, edges));
         })) {
       return false;
     }
@@ -265,24 +273,6 @@ class VertexPlacer {
       segments.push_back({at(link.bend_at_v), at(body.vertices[link.v])});
     }
     return segments;
-  }
-
-  bool body_fits(const VertexPart& part, Point origin, const std::vector<NewEdge>& edges) const {
-    const std::vector<LatticeSegment> own = segments_of(*part.body, origin, edges);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const LatticeSegment line{edges[i].from, own[i].to};
-      if (is_flat(line)) return false;
-      expect(may_turn(edges[i].stub, line.to - line.from) &&
-                 may_turn(own[i].to - own[i].from, line.from - line.to),
-             "the height of a body keeps all turns small");
-      for (std::size_t j = 0; j < own.size(); ++j) {
-        if (j != i && meet(line, own[j])) return false;
-      }
-      for (std::size_t j = 0; j < i; ++j) {
-        if (meet(line, {edges[j].from, own[j].to})) return false;
-      }
-    }
-    return true;
   }
 
   void commit_body(const VertexPart& part, Point origin, const std::vector<NewEdge>& edges) {
