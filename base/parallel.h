@@ -30,8 +30,8 @@ void for_each_in_threads(std::uint32_t threads, std::size_t size,
                          const std::function<void(std::uint32_t, std::size_t)>& work,
                          std::size_t chunk = 1);
 
-/// Returns in how many blocks threads take the numbers below a size, and begin and end of block i.
 inline constexpr std::size_t kIndexBlock = std::size_t{1} << 14;
+/// Returns in how many blocks threads take the numbers below a size, and begin and end of block i.
 inline std::size_t blocks_below(std::size_t size) { return (size + kIndexBlock - 1) / kIndexBlock; }
 inline std::pair<std::size_t, std::size_t> block_below(std::size_t size, std::size_t i) {
   return {i * kIndexBlock, std::min(size, (i + 1) * kIndexBlock)};

@@ -230,11 +230,11 @@ auto explained(const std::string& beginning, const Step& step) {
 // identity, environment.
 std::string opened(const std::string& path, int descriptor, std::optional<TableReader>& rows) {
   H5PLset_loading_state(0);  // no filter that a file names is loaded
-  std::string opened = fmt::format("/proc/self/fd/{}", descriptor);
-  if (access(opened.c_str(), F_OK) != 0) opened = path;  // there is no /proc
-  const Hdf5Handle file(H5Fopen(opened.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open it");
+  std::string name = fmt::format("/proc/self/fd/{}", descriptor);
+  if (access(name.c_str(), F_OK) != 0) name = path;  // there is no /proc
+  const Hdf5Handle file(H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open it");
   require_format(file.get());
-  const std::uint64_t bytes = std::filesystem::file_size(opened);
+  const std::uint64_t bytes = std::filesystem::file_size(name);
   StudyIdentity identity = read_identity(file.get());
   for (const TableSpec& spec : side_table_specs()) {
     if (has_table(file.get(), spec.name)) {
