@@ -144,21 +144,18 @@ class SlabSweep {
     per_y_ = 1024 / static_cast<double>(size.y + 1);
     divide_rows(share(kRows));
     divide_slabs(std::min(share(3 * kSlabs), share(kSlabs) + 8));
-    std::vector<ReachingSegment> active;
+    std::array<std::vector<ReachingSegment>, 2> active;  // middles, stubs
     for (std::size_t slab = 0; slab < bottom_.size(); ++slab) {
-      for (const std::uint32_t i : begins_[slab]) active.push_back(started(i));
+      for (const std::uint32_t i : begins_[slab]) {
+        active[i < middles_.size() ? 0 : 1].push_back(started(i));
+      }
       const bool is_last = slab + 1 == bottom_.size();
       const std::int64_t top = is_last ? box_.high().z : bottom_[slab + 1];
       entries_.clear();
       end_of_cell_.assign(std::size_t{rows_} * columns_ + 2, 0);
-      for (std::size_t i = 0; i < active.size();) {
-        enter(active[i], top);
-        if (active[i].high >= top) {
-          ++i;
-        } else {
-          active[i] = active.back();
-          active.pop_back();
-        }
+      for (auto& some : active) {
+        for (ReachingSegment& one : some) enter(one, top);
+        std::erase_if(some, [&](const ReachingSegment& one) { return one.high < top; });
       }
       compare_entries();
     }
