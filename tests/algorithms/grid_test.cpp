@@ -84,18 +84,13 @@ TEST(Grid, UnionsOfSmallPiecesHitEveryCase) {
   expect_all_hit(counts);
 }
 
-TEST(Grid, InvariantHolds) {
-  for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const Graph graph = generate(find_family("random-cubic"), 2000, seed);
-    const Planes planes = core_planes(graph);
-    EXPECT_GT(planes.counts.nt, 0);
-    EXPECT_GT(planes.counts.pq, 0);
-    EXPECT_EQ(grid::broken_invariant(graph, planes), "");
-  }
-}
-
 TEST(Grid, InvariantHoldsOnFamiliesAndSmallGraphs) {
   std::vector<Graph> graphs = geng("-D3 7");
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    graphs.push_back(generate(find_family("random-cubic"), 2000, seed));
+    const Planes planes = core_planes(graphs.back());
+    EXPECT_TRUE(planes.counts.nt > 0 && planes.counts.pq > 0);
+  }
   for (const Family& family : families()) {
     if (family.max_degree <= 3) graphs.push_back(shuffled(generate(family, 1000, 2), 3));
   }

@@ -10,6 +10,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/parallel.h"
+#include "ar3d/bench/measure/cores.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/examination.h"
@@ -102,7 +103,7 @@ TEST(CertifyThreads, CountTheSameCrossings) {
 
 /// Large enough that examine() shares its pass among threads.
 TEST(CertifyThreads, ExaminationsAreTheSame) {
-  const int before = omp_get_max_threads();
+  const OneThread restore_afterwards;
   const Algorithm& algorithm = find_algorithm("diamond");
   const Graph graph = graph_for(algorithm, 66000);
   const Drawing drawing = drawing_of(algorithm, graph);
@@ -129,13 +130,12 @@ TEST(CertifyThreads, ExaminationsAreTheSame) {
       }
     }
   }
-  omp_set_num_threads(before);
 }
 
 /// Vertices are shared among threads, too: one without edges makes the box larger, or lies on a
 /// bend of the last edge.
 TEST(CertifyThreads, VerticesWithoutEdgesAreSeen) {
-  const int before = omp_get_max_threads();
+  const OneThread restore_afterwards;
   const Algorithm& algorithm = find_algorithm("diamond");
   const Drawing drawing = drawing_of(algorithm, graph_for(algorithm, 66000));
   const Draft right = draft_of(drawing);
@@ -156,7 +156,6 @@ TEST(CertifyThreads, VerticesWithoutEdgesAreSeen) {
       }
     }
   }
-  omp_set_num_threads(before);
 }
 
 TEST(Parallel, WhatAThreadThrowsArrives) {
