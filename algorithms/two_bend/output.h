@@ -39,8 +39,7 @@ class alignas(32) LongBends {
     ++coded_[1];
   }
 
- private:
-  void set(std::size_t i, const Point& bend) {
+  void set(std::size_t i, const Point& bend) {  ///< in place of the i-th bend
     expect(std::in_range<std::int32_t>(bend.x) && std::in_range<std::int32_t>(bend.y),
            "rows and columns fit 32 bits");
     expect(-kMaxCoordinate < bend.z && bend.z < kMaxCoordinate, "a bend's height fits 62 bits");
@@ -49,6 +48,7 @@ class alignas(32) LongBends {
     coded_[i] = bend.z * 4 + (coded_[i] & 3);
   }
 
+ private:
   std::array<std::int32_t, 4> xy_{};
   std::array<std::int64_t, 2> coded_{};  // 4 z + number of lower bends, 4 z + number of upper ones
 };

@@ -178,14 +178,14 @@ class Writer {
 
   void write_edge(LongId e) {
     const LongEdge& edge = in_.flow.edges[e];
-    const LongBends bends = output_.bends(edge.first_edge);
+    LongBends& bends = output_.bends(edge.first_edge);
     std::array<Point, 2> points;
     for (std::size_t i = 0; i < bends.count(); ++i) {
       const std::int64_t z = z_[place_of(i < bends.lower_count() ? edge.lower : edge.upper)];
       points[i] = bends[i] + Vector{-left_, -front_, z};
     }
     if (in_.flow.joint || standing(e) == 0) {
-      output_.set_bends(edge.first_edge, {points.data(), bends.count()});
+      for (std::size_t i = 0; i < bends.count(); ++i) bends.set(i, points[i]);
     } else {
       write_chain(e, bends, points);
     }
@@ -193,7 +193,8 @@ class Writer {
 
   /// Vertices of degree 1 and 2 on the edge stand on its bends; the bends that are left go to the
   /// chain's last input edge. All other PASS vertices stand on the ray between.
-  void write_chain(LongId e, const LongBends& bends, const std::array<Point, 2>& points) {
+  /// @param bends  a copy, since the output's are written.
+  void write_chain(LongId e, LongBends bends, const std::array<Point, 2>& points) {
     const LongEdge& edge = in_.flow.edges[e];
     const Point ray = ray_of(in_.flow, in_.layout, edge);
     const std::size_t all = standing(e);
