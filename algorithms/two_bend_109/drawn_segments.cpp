@@ -1,7 +1,7 @@
 // Step E.4: who meets anything older. Slabs of heights are gone through one after the other; what
-// reaches into one goes to the cells of (x, y) that it passes there, and only what shares a cell is
-// compared: first modulo 2^16, several pairs at a time, then exactly, in up to 256 bits. So the
-// answer is that of exact arithmetic alone. Cost: near n^1.5.
+// reaches into one is cut at rows of y, and each piece is compared with those of its row that begin
+// before it ends along x: first modulo 2^16, several pairs at a time, then exactly, in up to 256
+// bits. So the answer is that of exact arithmetic alone. Cost: near n^1.5.
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace ar3d::two_bend_109 {
 namespace {
 
-// Slabs, rows and columns per square root of the number of middles: measured to be fast for random
-// 4-regular graphs of 10^3 to 10^6 vertices and for tori.
+// Slabs and rows per square root of the number of middles: measured to be fast, as are the columns,
+// for random 4-regular graphs of 10^3 to 10^6 vertices and for tori.
 constexpr double kSlabs = 0.1, kRows = 0.03;
 
 __extension__ using Int128 = __int128;
@@ -110,8 +110,8 @@ constexpr bool kHasAvx2 = false;
 constexpr auto& add_coplanar_avx2 = add_coplanar;
 #endif
 
-/// Two segments that meet do so in a slab and a cell that both are entered in: heights are compared
-/// exactly, and what is entered is widened by far more than the rounding errors.
+/// Two segments that meet do so in a slab and a row that both are entered in, in a column that both
+/// pass: heights are compared exactly, all else is widened by far more than the rounding errors.
 class SlabSweep {
  public:
   SlabSweep(const std::vector<DrawnSegment>& middles, const std::vector<DrawnSegment>& stubs)

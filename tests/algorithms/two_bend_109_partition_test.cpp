@@ -127,13 +127,6 @@ TEST(TwoBend109Partition, PartsAreAsTheLemmaSaysForAllSmallGraphs) {
   EXPECT_GE(bodies.size(), 2u) << "K5 and others are needed";
 }
 
-/// Half-edges that the searches for cycles look at, per vertex.
-double looked_at_per_vertex(const Graph& graph) {
-  std::uint64_t looked_at = 0;
-  find_partition(graph, &looked_at);
-  return static_cast<double>(looked_at) / static_cast<double>(graph.num_vertices());
-}
-
 // What Step E.1 says of its cost; nothing better than O(n) per vertex is proved. Random 4-regular
 // graphs have few short cycles, so that a search goes through about sqrt(n) vertices.
 TEST(TwoBend109Partition, SearchesLookAtFewHalfEdgesPerVertex) {
@@ -143,7 +136,9 @@ TEST(TwoBend109Partition, SearchesLookAtFewHalfEdgesPerVertex) {
     for (const std::uint64_t n : {1000u, 10000u}) {
       const Graph graph = generate(family, n, 3, {{"shuffle", 1}});
       if (connected_components_of(graph).count != 1) continue;
-      const double seen = looked_at_per_vertex(graph);
+      std::uint64_t looked_at = 0;
+      find_partition(graph, &looked_at);
+      const double seen = static_cast<double>(looked_at) / graph.num_vertices();  // per vertex
       EXPECT_LE(seen, is_random ? 0.6 * std::sqrt(n) : 12) << family.name << " n " << n;
       if (is_random) largest_random = std::max(largest_random, seen);
     }

@@ -79,9 +79,8 @@ TEST(TwoBend109, DrawsTheSameEverywhere) {
   EXPECT_EQ(hash("random-4-regular", 300, 0), "87da1a4a62f1c53fb368fc7766031015");
   EXPECT_EQ(hash("random-4-regular", 300, 1), "f836feca698e5475f65ea3b01daf4967");
   EXPECT_EQ(hash("random-4-regular", 20000, 1), "f425bb150853187fb5b6f63cf33e37cf");
-  EXPECT_EQ(hash("torus", 10000, 1), "dbaaed7fd138b822b6103da1e956ddcf") << "some meet at first";
-  EXPECT_EQ(hash("percolated-square-grid", 10000, 1), "3135708fe0ec431e2dd7922edb5f3a40")
-      << "of several components";
+  EXPECT_EQ(hash("torus", 10000, 1), "dbaaed7fd138b822b6103da1e956ddcf");
+  EXPECT_EQ(hash("percolated-square-grid", 10000, 1), "3135708fe0ec431e2dd7922edb5f3a40");
 }
 
 TEST(TwoBend109, TellsWhatItDid) {
@@ -109,17 +108,6 @@ TEST(TwoBend109, WidensTheSquareWhenAVertexFindsNoPoint) {
     ASSERT_EQ(two_bend_109_fault(graph, drawing), "");
   }
   EXPECT_GT(widened, 0u);
-}
-
-TEST(TwoBend109, KeepsItsBoxFarBelowTheTheorems) {
-  for (const std::uint64_t n : {100u, 1000u, 4000u}) {
-    const Graph graph = generate(find_family("random-4-regular"), n, 1);
-    const auto extents = bounding_box(two_bend_109::draw(graph)).extents();
-    const auto size = static_cast<std::int64_t>(n);
-    EXPECT_LE(extents[0], 100 * size * size);
-    EXPECT_LE(extents[1], 20 * size);
-    EXPECT_LE(extents[2], 50 * size * size * size);
-  }
 }
 
 class TwoBend109Families : public ::testing::TestWithParam<std::uint64_t> {};
