@@ -187,14 +187,14 @@ class Writer {
     if (in_.flow.joint || standing(e) == 0) {
       for (std::size_t i = 0; i < bends.count(); ++i) bends.set(i, points[i]);
     } else {
-      write_chain(e, bends, points);
+      write_chain(e, LongBends(bends), points);
     }
   }
 
   /// Vertices of degree 1 and 2 on the edge stand on its bends; the bends that are left go to the
   /// chain's last input edge. All other PASS vertices stand on the ray between.
   /// @param bends  a copy, since the output's are written.
-  void write_chain(LongId e, LongBends bends, const std::array<Point, 2>& points) {
+  void write_chain(LongId e, const LongBends& bends, const std::array<Point, 2>& points) {
     const LongEdge& edge = in_.flow.edges[e];
     const Point ray = ray_of(in_.flow, in_.layout, edge);
     const std::size_t all = standing(e);
