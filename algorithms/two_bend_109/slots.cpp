@@ -47,7 +47,7 @@ std::vector<std::uint32_t> SlotList::in_order() const {
 void SlotList::spread_labels() {
   std::int64_t label = 0;
   for (std::uint32_t s = first_; s != kNone; s = after_[s]) {
-    label_[s] = label += std::int64_t{1} << 30;  // below 2^62: there are fewer than 2^32 slots
+    label_[s] = label += (std::int64_t{1} << 60) / size();
   }
 }
 
