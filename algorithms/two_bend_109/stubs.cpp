@@ -1,5 +1,5 @@
 // The tetrahedra of Lemma E.3: turned by rational quaternions, the shortest ones with the slack
-// that the lemma needs; tests/algorithms/two_bend_109_stages_test.cpp computes every angle. Mirror
+// that the lemma needs; tests/algorithms/two_bend_109_bodies_test.cpp computes every angle. Mirror
 // images give the other corners. Cost: O(1).
 #include "ar3d/algorithms/two_bend_109/stubs.h"
 
