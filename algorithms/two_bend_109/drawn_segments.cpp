@@ -142,7 +142,7 @@ class SlabSweep {
     const Vector size = box_.high() - box_.low();
     per_x_ = columns_ / static_cast<double>(size.x + 1);
     per_y_ = 1024 / static_cast<double>(size.y + 1);
-    divide_rows(share(kRows));
+    divide_rows(std::max(share(kRows) - 1, 1u));
     divide_slabs(std::min(share(3 * kSlabs), share(kSlabs) + 8));
     std::array<std::vector<ReachingSegment>, 2> active;  // middles, stubs
     for (std::size_t slab = 0; slab < bottom_.size(); ++slab) {
