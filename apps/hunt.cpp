@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/analysis/replay.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/bench/replay/replay_row.h"

@@ -1,12 +1,8 @@
 // Pages that show drawings in 3D and judge what they show: a format of drawings for program and
 // Python package.
-#include <fmt/format.h>
 
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"

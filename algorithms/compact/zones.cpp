@@ -2,7 +2,6 @@
 // of a greedy vertex colouring, with as many cells as Lemma C.7 can close and one eighth more.
 // Random cells first, then all in turn, so that a place is found on every input: O(1) expected
 // tries per vertex.
-#include <algorithm>
 #include <bit>
 
 #include "ar3d/algorithms/compact/fill.h"

@@ -4,7 +4,6 @@
 // D.7).
 #include "ar3d/algorithms/compact_120/strip.h"
 
-#include <algorithm>
 #include <bit>
 
 #include "ar3d/base/error.h"

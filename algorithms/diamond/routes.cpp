@@ -3,7 +3,6 @@
 // somebody reads them and cost O(1).
 #include "ar3d/algorithms/diamond/routes.h"
 
-#include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"
 
 namespace ar3d::diamond {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "ar3d/algorithms/two_bend/blocks.h"

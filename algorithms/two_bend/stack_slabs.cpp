@@ -2,8 +2,6 @@
 // on the bends of their edge where it has any: that saves the bend and a slab. Cost: O(n).
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <limits>
 
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/slab.h"

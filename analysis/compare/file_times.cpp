@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "ar3d/base/printable.h"
 
 namespace ar3d {
 namespace {

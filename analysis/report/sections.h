@@ -12,7 +12,6 @@
 
 #include "ar3d/analysis/report.h"
 #include "ar3d/analysis/table.h"
-#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d::report {
 

@@ -2,7 +2,6 @@
 // that ended early is left out, because only its fast graphs are there.
 #include "ar3d/analysis/scaling/samples.h"
 
-#include <functional>
 #include <iterator>
 
 #include "ar3d/analysis/statistics.h"

@@ -4,7 +4,6 @@
 
 #include "ar3d/base/printable.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/journal/journal_writer.h"
 
 namespace ar3d {
 namespace {

@@ -17,7 +17,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_reader.h"
-#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 namespace {

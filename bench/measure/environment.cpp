@@ -4,10 +4,8 @@
 
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
-#include <omp.h>
 #include <sys/utsname.h>
 #include <toml++/toml.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>

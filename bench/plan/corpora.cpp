@@ -5,7 +5,6 @@
 #include <glob.h>
 
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <set>
 

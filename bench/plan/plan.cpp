@@ -2,7 +2,6 @@
 // index only, so that a plan of many rows is small; rows that two sweeps ask for are planned once.
 #include "ar3d/bench/plan/plan.h"
 
-#include <set>
 #include <tuple>
 
 #include "ar3d/base/error.h"

@@ -6,7 +6,6 @@
 #include <malloc.h>
 
 #include <boost/scope_exit.hpp>
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

@@ -3,10 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "ar3d/bench/replay/replay_row.h"
-#include "ar3d/store/columns/run_record.h"
 #include "ar3d/store/run_storage.h"
 
 namespace ar3d {

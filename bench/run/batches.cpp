@@ -11,7 +11,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/cores.h"
-#include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {

@@ -3,7 +3,6 @@
 #include "ar3d/store/hdf5/file_checksum.h"
 
 #include <sys/stat.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>

@@ -17,7 +17,6 @@
 #include <optional>
 #include <unordered_set>
 
-#include "ar3d/base/error.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/hdf5/file_checksum.h"
 #include "ar3d/store/hdf5/hdf5_table.h"

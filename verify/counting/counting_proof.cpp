@@ -8,7 +8,6 @@
 
 #include "ar3d/base/parallel.h"
 #include "ar3d/verify/checks/checks.h"
-#include "ar3d/verify/predicates/exact.h"
 
 namespace ar3d::verify {
 namespace {

@@ -9,7 +9,6 @@
 #include <bit>
 #include <cstdlib>
 #include <numeric>
-#include <utility>
 
 #include "ar3d/verify/predicates/functional.h"
 

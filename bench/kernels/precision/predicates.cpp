@@ -14,7 +14,6 @@
 #include "ar3d/base/ieee_arithmetic.h"
 #include "ar3d/base/random.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/cosine_comparison.h"
 #include "ar3d/verify/predicates/choices.h"
 #include "ar3d/verify/predicates/exact.h"
 #include "precision.h"
