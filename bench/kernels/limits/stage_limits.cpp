@@ -156,7 +156,7 @@ void add_sizes(const std::string& name, const Algorithm& algorithm, Kernel kerne
   const auto with_algorithm = [kernel, &algorithm](State& state) { kernel(state, algorithm); };
   if (algorithm.name == "two-bend-109") {  // near n^1.4 to draw, more to certify
     const auto once = [](benchmark::internal::Benchmark* each) { each->Iterations(1); };
-    add_limit(name, {1'000, 10'000, 100'000}, with_algorithm, once);
+    add_limit(name, {1'000, 10'000, 25'000, 100'000}, with_algorithm, once);
     if (name.starts_with("draw/")) add_limit(name, {1'000'000}, with_algorithm, once);
   } else {
     add_limit(name, {1'000, 100'000, 1'000'000, 10'000'000}, with_algorithm);
