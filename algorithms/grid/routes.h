@@ -1,6 +1,5 @@
 #pragma once
 
-
 #include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/model/drawing.h"
 

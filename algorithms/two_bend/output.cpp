@@ -3,7 +3,6 @@
 // input's ends does not matter. Cost: O(1) per vertex and edge.
 #include "ar3d/algorithms/two_bend/output.h"
 
-
 namespace ar3d::two_bend {
 
 void PackedBends::append_bends(EdgeId e, Edge, Point at_u, Point at_v,
