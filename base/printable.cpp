@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/locale/utf.hpp>
-#include <cstddef>
 #include <cstdint>
 
 namespace ar3d {

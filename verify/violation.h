@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>

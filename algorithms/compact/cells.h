@@ -4,7 +4,6 @@
 // it.
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

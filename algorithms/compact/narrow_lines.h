@@ -7,7 +7,6 @@
 // Pieces are looked up only on lines that have some. Cost: O(1) for each line that is asked for.
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 
 #include "ar3d/algorithms/compact/letters.h"

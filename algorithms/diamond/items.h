@@ -3,7 +3,6 @@
 // Step 1.2: the green and the red items (paths, cycles and single vertices of one colour).
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <type_traits>

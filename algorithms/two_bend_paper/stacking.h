@@ -5,7 +5,6 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cfloat>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <utility>

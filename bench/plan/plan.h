@@ -2,7 +2,6 @@
 
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/transform_iterator.hpp>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>

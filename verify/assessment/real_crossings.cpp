@@ -2,7 +2,6 @@
 // these are decided in big integers; the bounds of the filter stand where they are used.
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <optional>

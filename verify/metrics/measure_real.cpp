@@ -3,7 +3,6 @@
 // edges, since a file may list edges in any order and direction.
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <tuple>
