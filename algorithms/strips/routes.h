@@ -64,12 +64,12 @@ inline std::optional<Tightness> first_tightness(const char* algorithm, int effor
 
 /// The catalogue row of an algorithm that fills strips.
 template <auto draw>
-Algorithm row_of(const char* name, const char* summary, Guarantee guarantee) {
+Algorithm row_of(const char* name, const char* summary, const Guarantee& guarantee) {
   return {
       .name = name,
       .summary = summary,
       .source = "the paper's last open question",
-      .guarantee = std::move(guarantee),
+      .guarantee = guarantee,
       .options = {effort_option(
           kHighestEffort,
           "0: the zones of the proof; 1: a narrow strip; 2: a narrower one, several times slower")},

@@ -108,7 +108,8 @@ TEST(CompactRules, OverlapsAreTheOnlyFaultsLeft) {
 }
 
 /// Breaks words of red edges to that side.
-std::function<void(Rules&)> red(bool right, std::function<void(const Shape&, Word&)> change) {
+std::function<void(Rules&)> red(bool right,
+                                const std::function<void(const Shape&, Word&)>& change) {
   return [=](Rules& rules) {
     rules.change = [=](const Shape& shape, Word& word) {
       if (shape.red && shape.right == right) change(shape, word);
