@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <thread>
 
 namespace ar3d::testing {
@@ -15,7 +16,12 @@ constexpr std::size_t kLong = 2 * kLongArrayBytes;
 using Bytes = LongVector<std::uint8_t>;
 
 /// Where an array has been, full of sevens.
-const std::uint8_t* freed_place(std::size_t size) { return Bytes(size, 7).data(); }
+const void* freed_place(std::size_t size) {
+  std::optional<Bytes> dirty(std::in_place, size, 7);
+  const void* const place = dirty->data();
+  dirty.reset();
+  return place;
+}
 
 bool is_all(const Bytes& bytes, std::uint8_t value) {
   return std::all_of(bytes.begin(), bytes.end(), [&](std::uint8_t b) { return b == value; });
@@ -23,7 +29,7 @@ bool is_all(const Bytes& bytes, std::uint8_t value) {
 
 TEST(LongArrayReuse, GivesWhatIsFreedToTheNextArrayThatFits) {
   const LongArrayReuse reuse;
-  const std::uint8_t* const place = freed_place(kLong);
+  const void* const place = freed_place(kLong);
   const Bytes shorter(kLong * 3 / 4, 1);
   EXPECT_EQ(shorter.data(), place);
   EXPECT_TRUE(is_all(shorter, 1));
@@ -40,7 +46,7 @@ TEST(LongVector, GrowsThroughEveryKindOfMemory) {
 TEST(LongArrayReuse, InitialisesElementsInUsedMemory) {
   for (const std::size_t size : {kReusableBytes, kLong}) {
     const LongArrayReuse reuse;
-    const std::uint8_t* const place = freed_place(size);
+    const void* const place = freed_place(size);
     const Bytes clean(size);
     EXPECT_EQ(clean.data(), place) << size;
     EXPECT_TRUE(is_all(clean, 0)) << size;
@@ -49,7 +55,7 @@ TEST(LongArrayReuse, InitialisesElementsInUsedMemory) {
 
 TEST(LongArrayReuse, LeavesMuchLongerArraysForOthers) {
   const LongArrayReuse reuse;
-  const std::uint8_t* const place = freed_place(4 * kLong);
+  const void* const place = freed_place(4 * kLong);
   const Bytes much_shorter(kLong, 1);
   EXPECT_NE(much_shorter.data(), place);
   const Bytes longer(5 * kLong, 1);
@@ -60,7 +66,7 @@ TEST(LongArrayReuse, ArraysMayOutliveItAndInnerOnesEndNothing) {
   Bytes kept;
   {
     const LongArrayReuse reuse;
-    const std::uint8_t* const place = [] {
+    const void* const place = [] {
       const LongArrayReuse inner;
       return freed_place(kLong);
     }();
