@@ -1,4 +1,4 @@
-// Bounds beside what was measured, and everything else that report and exports show of a study, computed once.
+// Bounds beside what was measured, and all else that report and exports show, computed once.
 #include "ar3d/analysis/report.h"
 
 namespace ar3d {

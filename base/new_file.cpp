@@ -164,6 +164,11 @@ std::string new_temporary_folder(const std::string& beginning) {
   return path;
 }
 
+void remove_folder(const std::string& path) noexcept {
+  std::error_code ignored;
+  std::filesystem::remove_all(path, ignored);
+}
+
 std::string name_of_new_file(const std::string& target) {
   std::uint64_t number = 0;  // process ids alone are the same in every container
   if (getrandom(&number, sizeof(number), 0) != sizeof(number)) refuse_writing(target, errno);

@@ -83,6 +83,9 @@ Descriptor new_temporary_file(const std::string& beginning, std::string& path);
 /// Returns a new folder there. @return its path. @throws InputError as new_temporary_file.
 std::string new_temporary_folder(const std::string& beginning);
 
+/// Removes a folder and all in it, as far as that is possible: for the end of a scope.
+void remove_folder(const std::string& path) noexcept;
+
 /// Opens a file to read it: -1 and errno where that cannot be. A FIFO has no end yet, and who opens
 /// it may wait for ever. @throws InputError naming it, unless it stands in /dev (/dev/stdin, a
 /// shell's `<(…)`).

@@ -1,6 +1,6 @@
-// Places vertices and routes their edges while (a) to (e) and the cap rule hold, which by Lemmas C.3
-// to C.5 is more than a right drawing needs: the zones of the size bound's proof (Lemma C.7). O(1)
-// expected per vertex tried: at most five contested lines.
+// Places vertices and routes their edges while (a) to (e) and the cap rule hold, which by Lemmas
+// C.3 to C.5 is more than a right drawing needs: the zones of the size bound's proof (Lemma C.7).
+// O(1) expected per vertex tried: at most five contested lines.
 #include "ar3d/algorithms/compact/strip.h"
 
 #include <algorithm>

@@ -18,8 +18,8 @@ enum class Spread : std::uint8_t {
 
 struct Options {
   Spread spread = Spread::conditional;
-  /// How high above what is drawn the next cycle lies (Step G.6): with room for the connections that
-  /// there are, else for whatever connection there could be (the text).
+  /// How high above what is drawn the next cycle lies (Step G.6): with room for the connections
+  /// that there are, else for whatever connection there could be (the text).
   bool needed_gap = false;
   /// Which chordless cycle is drawn next (Step G.2): the first that a walk closes, in linear time
   /// each, else a shortest one.

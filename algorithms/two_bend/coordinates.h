@@ -42,7 +42,7 @@ Values list_places(const View& view, const LongVector<NodeId>& list);
 
 /// Rule 2.5: numbers along the list; free MERGEs keep the number of their entry, if any.
 /// @param bound  becomes an upper bound of the largest number, added up over the entries: each
-/// counts 2 and a STATION 2 more, then come what widens the list and both gaps of every special row.
+/// counts 2 and a STATION 2 more, then come what widens the list and both gaps of special rows.
 /// @throws InternalError if a number passes kMaxHorizontal.
 Values number_list(const View& view, const LongVector<NodeId>& list, const Spacing& spacing,
                    std::int64_t& bound);
@@ -58,12 +58,12 @@ struct OddInterval {
 OddInterval interval_of(const View& view, const Values& values, NodeId merge);
 
 /// Gives every free MERGE of the view that is no end of a VV edge the middle of its interval.
-/// @param relaxes  Before, moves listed MERGEs towards the middle between their in-neighbours, which
-/// shortens the longer of their two arms: once against and once with the view's time. Every single
-/// move keeps all distances of Values: the MERGE stays between its in-neighbours and on its side of
-/// the MERGE above it, and never comes nearer to a free one, so the intervals of free MERGEs only
-/// grow. MERGEs below a SINK stay where they are, and so do those that a shared row of the cross
-/// view reaches (see share_rows).
+/// @param relaxes  Before, moves listed MERGEs towards the middle between their in-neighbours,
+/// which shortens the longer of their two arms: once against and once with the view's time. Every
+/// single move keeps all distances of Values: the MERGE stays between its in-neighbours and on its
+/// side of the MERGE above it, and never comes nearer to a free one, so the intervals of free
+/// MERGEs only grow. MERGEs below a SINK stay where they are, and so do those that a shared row of
+/// the cross view reaches (see share_rows).
 void choose_middle_values(const View& view, bool relaxes, Values& values);
 
 /// For one VV edge: puts the MERGE into the row of the SPLIT and the SPLIT into the column of the

@@ -67,8 +67,8 @@ class Forest {
     weigh(weights);
   }
 
-  /// Every tree fills consecutive places of the order: in time order a root's places are found, then
-  /// within a tree's those of its parts, which are later.
+  /// Every tree fills consecutive places of the order: in time order a root's places are found,
+  /// then within a tree's those of its parts, which are later.
   LongVector<NodeId> emit() {
     for (const Pole& pole : view_.flow().poles) {
       if (view_.type(pole.node) != NodeType::source) continue;

@@ -119,8 +119,8 @@ class Writer {
            stands_free(in_.flow.edges[e].upper);
   }
 
-  /// True if the k-th of `all` vertices on a long edge, upwards, stands on a bend: the first ones on
-  /// the lower bends and the last ones on the upper bends, as far as they go.
+  /// True if the k-th of `all` vertices on a long edge, upwards, stands on a bend: the first ones
+  /// on the lower bends and the last ones on the upper bends, as far as they go.
   static bool bend_under(const LongBends& bends, std::size_t all, std::size_t k) {
     return all <= bends.count() || k < bends.lower_count() || all - k <= bends.upper_count();
   }

@@ -10,7 +10,8 @@
 namespace ar3d::two_bend {
 
 struct Options {
-  /// 0: plain. 1: vertices share rows and columns (share_rows), arms are balanced (choose_middle_values).
+  /// 0: plain. 1: vertices share rows and columns (share_rows), arms are balanced
+  /// (choose_middle_values).
   int effort = kDefaultEffort;
   bool force_safe_layout = false;  ///< lay every component out by find_safe_layout (tests)
 };

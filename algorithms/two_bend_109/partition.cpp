@@ -275,8 +275,8 @@ class Partitioner {
     queue_.push_back(v);
   }
 
-  /// The first cycle of the vertices allowed that a breadth-first search from the root closes. It is
-  /// induced: a chord would join two of which one was gone through before.
+  /// The first cycle of the vertices allowed that a breadth-first search from the root closes. It
+  /// is induced: a chord would join two of which one was gone through before.
   template <class Allowed>
   std::vector<Vertex> first_cycle(Vertex root, Allowed&& allowed) {
     constexpr std::size_t kAhead = 8;

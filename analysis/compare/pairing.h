@@ -86,7 +86,8 @@ struct CountChange {
 };
 CountChange count_change(const PairedCell& cell);
 
-/// Returns a change for the worse or the better if one of the two is more than log(1 + its threshold) away from 0.
+/// Returns a change for the worse or the better if one of the two is more than log(1 + its
+/// threshold) away from 0.
 std::vector<FixedChange> count_changes(const CountChange& change, double instruction_threshold,
                                        double cycle_threshold);
 

@@ -37,11 +37,11 @@ struct CellValues {
   /// Are geometric means over the graphs; of bends (per edge), crossings and the smallest angle in
   /// degrees arithmetic ones. Volumes are lattice points; of measured drawings they are in smallest
   /// distances of vertices. Missing is the time, and what a row of the cell has not.
-  std::array<double, kMeasures.size()> means{kMissing, kMissing, kMissing, kMissing,
-                                             kMissing, kMissing, kMissing};
+  std::array<double, kMeasures.size()> means;
   /// Holds, of drawings, hashes of the values of every single graph; what is measured has three
   /// digits there.
   std::array<std::string, kMeasures.size()> exact;
+  CellValues() { means.fill(kMissing); }
 };
 
 struct CellTable {

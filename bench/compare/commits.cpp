@@ -56,8 +56,8 @@ std::string steps_done(const fs::path& log) {
   return steps;
 }
 
-/// Runs a step of a build. @return false if a signal asked to stop. @throws InputError naming the log
-/// if it fails.
+/// Runs a step of a build. @return false if a signal asked to stop. @throws InputError naming the
+/// log if it fails.
 bool run_step(const std::vector<std::string>& words, const std::string& ref, const fs::path& log,
               std::FILE* progress) {
   constexpr int kSecondsBetweenLines = 5;
@@ -93,7 +93,7 @@ void remove_worktrees(const std::string& checkout, const fs::path& folder) {
     const bool is_sources = entry.path().filename().string().find(kSources) != std::string::npos;
     if (!is_sources || locked_folder(entry.path()).get() < 0) continue;
     ask_git({"-C", checkout, "worktree", "unlock", entry.path().string()});  // half made
-    fs::remove_all(entry.path(), ignored);
+    remove_folder(entry.path());
   }
 }
 
@@ -120,8 +120,7 @@ bool build_program(const std::string& checkout, const std::string& commit, const
   fs::create_directories(sources);
   const Descriptor lock = locked_folder(sources);
   BOOST_SCOPE_EXIT_ALL(&) {
-    std::error_code ignored;
-    fs::remove_all(sources, ignored);
+    remove_folder(sources);
     ask_git({"-C", checkout, "worktree", "prune"});
   };
   const bool is_built =

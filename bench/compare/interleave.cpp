@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "ar3d/base/new_file.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/instruments.h"
@@ -32,7 +33,7 @@ std::string last_line(const fs::path& path) {
 constexpr const char* kBase = "base";
 constexpr const char* kNew = "next";  // as long as "base"
 
-/// Runs the study of a folder once with the program of one side. @return false if it was interrupted.
+/// Runs the study of a folder once with the program of one side. @return false if interrupted.
 bool run_once(const fs::path& folder, const char* side, std::size_t round, int core,
               const InterleaveOptions& options, std::vector<Results>& into) {
   const fs::path results = folder / fmt::format("{}-{}.h5", side, round), log = folder / "log";
@@ -63,10 +64,7 @@ InterleavedRounds run_interleaved(const std::string& base_program, const std::st
                                   const StudySpec& spec, const std::string& folder,
                                   const InterleaveOptions& options) {
   const fs::path own = fs::path(folder) / fmt::format("run-{}", getpid());
-  BOOST_SCOPE_EXIT_ALL(&) {
-    std::error_code ignored;
-    fs::remove_all(own, ignored);
-  };
+  BOOST_SCOPE_EXIT_ALL(&) { remove_folder(own); };
   for (const auto& [side, program] :
        {std::pair{kBase, &base_program}, std::pair{kNew, &new_program}}) {
     fs::create_directories(own / side);

@@ -10,8 +10,8 @@
 
 namespace ar3d {
 
-/// Describes one integer setting of a family or an algorithm: its name, and the values that it takes
-/// in turn.
+/// Describes one integer setting of a family or an algorithm: its name, and the values that it
+/// takes in turn.
 using SettingChoices = std::pair<std::string, std::vector<std::int64_t>>;
 
 /// Is a program that draws graphs: a row of the catalogue whose drawings another process makes.

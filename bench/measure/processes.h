@@ -65,7 +65,7 @@ struct ChildOptions {
 int run_child(const std::vector<std::string>& words, const ChildOptions& options);
 
 /// Runs git with these words, without a shell. @throws InputError if no process can be made.
-/// @return the lines that it printed, on both streams; none where it ended with another code than 0.
+/// @return the lines that it printed, on both streams; none unless it ended with code 0.
 std::vector<std::string> ask_git(std::vector<std::string> words);
 
 /// Runs `step` in a forked process and copies what it wrote into `result`, which holds plain bytes,
@@ -73,8 +73,8 @@ std::vector<std::string> ask_git(std::vector<std::string> words);
 /// @param cpu_s  kept to the next whole second; who waits has ten times that, and 1 s.
 /// @param memory_bytes  address space above the caller's; not where the build is sanitised, which
 /// needs all of it.
-/// @return how it ended, as a row would: ok, timeout, out_of_memory (also if std::bad_alloc left the
-/// step), else crashed. `result` counts only if ok.
+/// @return how it ended, as a row would: ok, timeout, out_of_memory (also if std::bad_alloc left
+/// the step), else crashed. `result` counts only if ok.
 /// @throws InputError if the system has no process or pipe left.
 RunStatus run_within(std::optional<double> cpu_s, std::optional<double> memory_bytes,
                      std::span<char> result, const std::function<void()>& step);

@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/row_maker.h"
@@ -160,10 +161,7 @@ std::vector<DrawingCounts> count_drawings(const std::vector<const RunRecord*>& r
                                           const StudyOrigin& origin) {
   if (const std::string problem = counting_problem(); !problem.empty()) throw InputError(problem);
   const std::string folder = new_temporary_folder("ar3d-callgrind");
-  BOOST_SCOPE_EXIT_ALL(&) {
-    std::error_code ignored;
-    fs::remove_all(folder, ignored);
-  };
+  BOOST_SCOPE_EXIT_ALL(&) { remove_folder(folder); };
   const std::string orders = folder + "/orders", output = folder + "/counts";
   write_orders(rows, origin, folder, orders);
   double limit_s = 600;  // a generous one: only a valgrind that hangs needs that long

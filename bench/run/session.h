@@ -47,8 +47,8 @@ struct RowSink {
   std::function<void(std::size_t place, const RunRecord& row)> add;
   /// Takes what is to be known of the session, for its environment; empty: nobody wants to know.
   std::function<void(const EnvironmentEntry&)> note = {};
-  /// Gives true for a row that is not to be made; empty: there is none. Called by several threads at
-  /// once, as `read` is.
+  /// Gives true for a row that is not to be made; empty: there is none. Called by several threads
+  /// at once, as `read` is.
   std::function<bool(const std::string& row_key)> has = {};
   /// Returns a row that is there.
   std::function<RunRecord(const std::string& row_key)> read = {};

@@ -34,8 +34,8 @@ struct EdgeRoles {
 /// Of other drawings all edges have one role. O(n + m) time.
 EdgeRoles edge_roles(const Drawing& drawing);
 
-/// An order of the vertices in which a drawing grows, by weights . position, then by number: what it
-/// is an order of, and the weights; zeros: the vertices' numbers alone.
+/// An order of the vertices in which a drawing grows, by weights . position, then by number: what
+/// it is an order of, and the weights; zeros: the vertices' numbers alone.
 using GrowthOrder = std::pair<std::string, std::array<std::int64_t, 3>>;
 
 /// The construction's own order: `diamond` the green order (X of Theorem 1), `compact` the columns

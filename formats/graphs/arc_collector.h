@@ -44,8 +44,8 @@ class ArcCollector {
   /// Ends the graph on n vertices (all ids are below n); its edges (u, v), u < v, are ordered by
   /// (u, v).
   /// @throws InputError on a neighbour named twice from the same end unless simplifies(), or
-  /// from one end alone if that will not do. Cost: O(n + m), and O(m log m) if the rows are not sorted; arcs that come
-  /// from both ends, by the vertex that names them, are read in order only.
+  /// from one end alone if that will not do. Cost: O(n + m), and O(m log m) if the rows are not
+  /// sorted; arcs that come from both ends, by the vertex that names them, are read in order only.
   Graph finish(std::uint64_t n);
 
  private:

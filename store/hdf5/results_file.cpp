@@ -9,10 +9,10 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <boost/scope_exit.hpp>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <unordered_set>
@@ -216,8 +216,7 @@ auto explained(const std::string& beginning, const Step& step) {
   void* data = nullptr;
   H5Eget_auto2(H5E_DEFAULT, &printer, &data);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const std::shared_ptr<void> at_end(nullptr,
-                                     [=](void*) { H5Eset_auto2(H5E_DEFAULT, printer, data); });
+  BOOST_SCOPE_EXIT_ALL(&) { H5Eset_auto2(H5E_DEFAULT, printer, data); };
   try {
     return step();
   } catch (const Hdf5Error& error) {

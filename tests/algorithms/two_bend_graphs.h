@@ -95,7 +95,7 @@ inline void hang_leaves(Sketch& sketch, RandomStream& random, std::uint32_t perc
   }
 }
 
-/// A ring of at least two cubic pieces, each opened at one edge: bridgeless, cubic, with many two-edge cuts.
+/// A ring of two or more cubic pieces, each opened at an edge: bridgeless, cubic, many 2-edge cuts.
 inline Sketch random_necklace(std::uint32_t pieces, RandomStream& random) {
   Sketch sketch;
   Vertex first = 0;

@@ -4,16 +4,21 @@
 namespace ar3d::testing {
 namespace {
 
+/// The text holds so many graphs, each with the edges of this one.
+void expect_same_graphs(const std::string& text, std::size_t count, const Graph& expected,
+                        const ReadOptions& options = {}) {
+  const std::vector<Graph> graphs = read_text(text, options);
+  EXPECT_EQ(graphs.size(), count);
+  for (const Graph& graph : graphs) EXPECT_EQ(edge_set(graph), edge_set(expected));
+}
+
 TEST(AdjacencyList, ReadsEdgesFromOneOrBothEnds) {
-  const std::vector<Graph> graphs = read_text("# comment\n0: 1 2\n1 : 0\n2:\n5:0 \n");
-  ASSERT_EQ(graphs.size(), 1u);
-  EXPECT_EQ(edge_set(graphs[0]), edge_set(Graph(6, {{0, 1}, {0, 2}, {0, 5}})));
+  expect_same_graphs("# comment\n0: 1 2\n1 : 0\n2:\n5:0 \n", 1, Graph(6, {{0, 1}, {0, 2}, {0, 5}}));
 }
 
 TEST(AdjacencyList, ReadsNetworkxLinesWhenForced) {
-  const std::vector<Graph> graphs = read_text("#GMT\n0 1 3\n1 2\n2\n3\n", {.format = "adjlist"});
-  ASSERT_EQ(graphs.size(), 1u);
-  EXPECT_EQ(edge_set(graphs[0]), edge_set(Graph(4, {{0, 1}, {0, 3}, {1, 2}})));
+  expect_same_graphs("#GMT\n0 1 3\n1 2\n2\n3\n", 1, Graph(4, {{0, 1}, {0, 3}, {1, 2}}),
+                     {.format = "adjlist"});
 }
 
 TEST(AdjacencyList, RefusesWithPlaceAndValue) {
@@ -31,13 +36,11 @@ TEST(AdjacencyList, RefusesWithPlaceAndValue) {
 }
 
 TEST(Dimacs, ReadsEdgesColoursAndArcs) {
-  const Graph expected(4, {{1, 0}, {2, 1}});
-  const std::vector<Graph> graphs = read_text(
+  expect_same_graphs(
       "c\nc a comment\np edge 4 2\ne 1 2\ne 3 2\n"
       "p col 4 2\nc inside\ne 2 1\ne 2 3\n"
-      "p sp 4 4\na 1 2 17\na 2 1 17\na 3 2\na 2 3\n");
-  ASSERT_EQ(graphs.size(), 3u);
-  for (const Graph& graph : graphs) EXPECT_EQ(edge_set(graph), edge_set(expected));
+      "p sp 4 4\na 1 2 17\na 2 1 17\na 3 2\na 2 3\n",
+      3, Graph(4, {{1, 0}, {2, 1}}));
 }
 
 TEST(Dimacs, RefusesWithPlaceAndValue) {
@@ -110,7 +113,7 @@ TEST(MatrixMarket, RefusesAbsurdSizesWithoutAllocating) {
 TEST(Metis, ReadsTheManualsGraphInItsFourForms) {
   const Graph expected(
       7, {{0, 4}, {0, 2}, {0, 1}, {1, 2}, {1, 3}, {2, 4}, {2, 3}, {3, 5}, {3, 6}, {4, 5}, {5, 6}});
-  const std::vector<Graph> graphs = read_text(
+  expect_same_graphs(
       "7 11\n5 3 2\n1 3 4\n5 4 2 1\n2 3 6 7\n1 3 6\n5 4 7\n6 4\n"
       "7 11 001\n5 1 3 2 2 1\n1 1 3 2 4 1\n5 3 4 2 2 2 1 2\n2 1 3 2 6 2 7 5\n1 1 3 3 6 2\n5 2 4 2 "
       "7 6\n6 6 4 5\n"
@@ -118,9 +121,8 @@ TEST(Metis, ReadsTheManualsGraphInItsFourForms) {
       "2\n6 5 2 4 2 7 6\n"
       "2 6 6 4 5\n"
       "7 11 10 3\n1 2 0 5 3 2\n0 2 2 1 3 4\n4 1 1 5 4 2 1\n2 2 3 2 3 6 7\n1 1 1 1 3 6\n2 2 1 5 4 "
-      "7\n1 2 1 6 4\n");
-  ASSERT_EQ(graphs.size(), 4u);
-  for (const Graph& graph : graphs) EXPECT_EQ(edge_set(graph), edge_set(expected));
+      "7\n1 2 1 6 4\n",
+      4, expected);
 }
 
 TEST(Metis, BlankLinesAreVerticesWithoutNeighbours) {

@@ -23,7 +23,7 @@ struct Counts {
   std::size_t cut = 0;  // fewer rows, as after a crash
 };
 
-// Flips every bit of every `step`-th byte in turn. `rows` gives the rows' bytes, or refuses the file.
+// Flips every bit of every `step`-th byte in turn. `rows` gives the rows' bytes, or refuses it.
 template <class Rows>
 Counts flip_every_bit(const std::string& path, std::size_t step, const Rows& rows) {
   const std::string whole = read_file(path);

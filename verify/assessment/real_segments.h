@@ -46,7 +46,7 @@ std::uint64_t count_crossings(const Graph& graph, const std::vector<RealSegment>
 bool crosses(const Graph& graph, const std::vector<RealSegment>& segments, std::size_t i,
              std::size_t j);
 
-/// By how many degrees the angle of the vectors u and v is smaller than 120 degrees (negative: it is
+/// By how many degrees the angle of the vectors u and v is smaller than 120 degrees (negative:
 /// larger): exact inner products, rounded once. The sign is exact, the relative error below 1e-14.
 double short_of_120(const BigVector& u, const BigVector& v);
 

@@ -38,8 +38,8 @@ void print_table(const std::vector<std::string>& head,
 void nest_table(int most);
 void predicate_tables();
 void shift_tables();
-/// @param picture  a new SVG file of the worst windows; empty: none. @throws InputError if it exists
-/// or cannot be written.
+/// @param picture  a new SVG file of the worst windows; empty: none. @throws InputError if it
+/// exists or cannot be written.
 void sign_tables(const std::string& picture);
 void width_tables();
 

@@ -1,5 +1,5 @@
-// Wrong answers of predicates: as drawn, one unit beside, and where segments touch or nearly do. The
-// questions are those of a drawing, and harder ones made of them.
+// Wrong answers of predicates: as drawn, one unit beside, and where segments touch or nearly do.
+// The questions are those of a drawing, and harder ones made of them.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -113,8 +113,8 @@ std::vector<HardDrawing> nests_of(const Graph& core, int most, Heptagons&& hepta
   return nests;
 }
 
-/// Where each type passes each limit, predicted with kHighKappa and kMedianKappa, and seen, and where
-/// it breaks: rows of texts.
+/// Where each type passes each limit, predicted with kHighKappa and kMedianKappa, and seen, and
+/// where it breaks: rows of texts.
 /// @param text  of a place in the series; of -1: there is none.
 /// @param skips_plain  without what passes a limit at once, or never, as predicted.
 template <class Text>
