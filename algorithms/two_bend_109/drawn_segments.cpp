@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 #include "ar3d/model/drawing.h"
 
@@ -120,6 +121,7 @@ class SlabSweep {
   /// Compares these with all others.
   void compare_few(const std::vector<std::uint32_t>& few) {
     std::vector<bool> is_few(middles_.size() + stubs_.size());
+    sorted_.reserve(is_few.size());
     for (const std::uint32_t i : few) is_few[i] = true;
     for (const std::uint32_t i : few) sorted_.push_back({line_of(segment(i).at), i, 0, 0});
     for (std::uint32_t i = 0; i < is_few.size(); ++i) {
@@ -375,7 +377,16 @@ bool meet(const LatticeSegment& a, const LatticeSegment& b) {
 
 std::vector<std::uint32_t> owners_that_meet(const DrawnSegments& drawn,
                                             const DrawnSegments& before) {
+  if (drawn.middles.empty()) return {};
+  constexpr std::size_t kSmall = 60;  // up to here slabs cost more than they save
+  SlabSweep sweep(drawn.middles, drawn.stubs);
   std::vector<std::uint32_t> moved;
+  if (drawn.middles.size() <= kSmall) {
+    moved.resize(drawn.middles.size());
+    std::iota(moved.begin(), moved.end(), 0u);
+    sweep.compare_few(moved);
+    return sweep.found();
+  }
   const auto add_moved = [&](const auto& now, const auto& then, std::size_t first) {
     for (std::size_t i = 0; i < now.size(); ++i) {
       if (i < then.size() && now[i].at == then[i].at) continue;
@@ -384,12 +395,8 @@ std::vector<std::uint32_t> owners_that_meet(const DrawnSegments& drawn,
   };
   add_moved(drawn.middles, before.middles, 0);
   add_moved(drawn.stubs, before.stubs, drawn.middles.size());
-  SlabSweep sweep(drawn.middles, drawn.stubs);
-  if (moved.size() * moved.size() < drawn.middles.size()) {
-    sweep.compare_few(moved);
-  } else if (!drawn.middles.empty()) {
-    sweep.compare_all();
-  }
+  moved.size() * moved.size() < drawn.middles.size() ? sweep.compare_few(moved)
+                                                     : sweep.compare_all();
   return sweep.found();
 }
 

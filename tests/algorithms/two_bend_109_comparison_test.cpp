@@ -101,7 +101,7 @@ TEST(TwoBend109Comparison, SaysOfRandomSegmentsWhatThePlainOneSays) {
   RandomStream random(5);
   std::size_t met = 0, pairs = 0;
   for (std::uint32_t i = 0; i < 3000; ++i) {
-    const DrawnSegments drawn = random_segments(1 + i % 60, 3 + i % 40, random);
+    const DrawnSegments drawn = random_segments(1 + i % 120, 3 + i % 40, random);
     const Owners owners = owners_that_meet(drawn, {});
     ASSERT_EQ(owners, plain(drawn, {})) << i;
     met += owners.size();
@@ -115,7 +115,7 @@ TEST(TwoBend109Comparison, FewThatMovedAreComparedWithAll) {
   RandomStream random(7);
   std::size_t met = 0;
   for (std::uint32_t i = 0; i < 300; ++i) {
-    const std::uint32_t count = 50 + i % 50;
+    const std::uint32_t count = 100 + i % 50;
     DrawnSegments drawn = random_segments(count, 300, random);
     const Owners known = plain(drawn, {});
     for (auto* all : {&drawn.middles, &drawn.stubs}) {  // without those that meet
