@@ -5,7 +5,6 @@
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -20,42 +19,6 @@ namespace {
 // for random 4-regular graphs of 10^3 to 10^6 vertices and for tori.
 constexpr double kSlabs = 0.1, kRows = 0.03;
 
-__extension__ using Int128 = __int128;
-using Int256 = boost::multiprecision::int256_t;
-
-using Wide = std::array<Int128, 3>;
-
-/// Components below 2^62: each product is below 2^124.
-Wide cross(Vector u, Vector v) {
-  const auto product = [](std::int64_t a, std::int64_t b) { return Int128{a} * b; };
-  return {product(u.y, v.z) - product(u.z, v.y), product(u.z, v.x) - product(u.x, v.z),
-          product(u.x, v.y) - product(u.y, v.x)};
-}
-
-bool is_zero(const Wide& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
-
-/// Most vectors are seen not to be orthogonal modulo 2^64.
-bool is_orthogonal(const Wide& n, Vector w) {
-  const auto product = [](Int128 a, std::int64_t b) {
-    return static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b);
-  };
-  if (product(n[0], w.x) + product(n[1], w.y) + product(n[2], w.z) != 0) return false;
-  return Int256(n[0]) * w.x + Int256(n[1]) * w.y + Int256(n[2]) * w.z == 0;
-}
-
-bool overlap(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
-  return std::max(std::min(a, b), std::min(c, d)) <= std::min(std::max(a, b), std::max(c, d));
-}
-
-/// 0 <= part / whole <= 1.
-bool is_fraction(Int128 part, Int128 whole) {
-  if (whole < 0) {
-    part = -part;
-    whole = -whole;
-  }
-  return 0 <= part && part <= whole;
-}
-
 /// The line through a segment modulo 2^16: direction u and moment p x u. Two lines meet only if
 /// u1 m2 + u2 m1 = 0, so also modulo 2^16.
 using LineModulo = std::array<std::uint16_t, 6>;
@@ -69,31 +32,41 @@ LineModulo line_of(const LatticeSegment& segment) {
   return {cut(u), cut(v), cut(w), cut(y * w - z * v), cut(z * u - x * w), cut(x * v - y * u)};
 }
 
-using LineComponents = std::array<std::vector<std::uint16_t>, 6>;
-
-/// So many numbers are tested at a time.
+/// So many lines are tested at a time.
 using Lanes __attribute__((vector_size(32))) = std::uint16_t;
 constexpr std::size_t kLanes = sizeof(Lanes) / sizeof(std::uint16_t);
 
-/// Adds those of the lines from begin to end, given by component, that may be coplanar to this one.
-/// Reads kLanes numbers beyond the end.
+/// A vector of each component of kLanes lines.
+using LineBlock = std::array<Lanes, 6>;
+
+/// Adds those of the lines from begin to end that may be coplanar to this one. Goes through whole
+/// blocks, two at a time, and so reads up to one block behind that of the last line.
 __attribute__((always_inline)) inline void add_coplanar(const LineModulo& line,
-                                                        const LineComponents& lines,
+                                                        const std::vector<LineBlock>& lines,
                                                         std::size_t begin, std::size_t end,
                                                         std::vector<std::size_t>& found) {
-  for (; begin < end; begin += kLanes) {
-    Lanes sum{};
-    for (std::size_t k = 0; k < 6; ++k) {
-      Lanes others;
-      std::memcpy(&others, lines[k].data() + begin, sizeof(others));
-      sum += others * line[(k + 3) % 6];
+  std::array<Lanes, 6> factors;
+  for (std::size_t k = 0; k < 6; ++k) factors[k] = Lanes{} + line[(k + 3) % 6];
+  constexpr Lanes kNumbers = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  Lanes is_behind = static_cast<Lanes>(kNumbers >= static_cast<std::uint16_t>(begin % kLanes));
+  for (std::size_t i = begin / kLanes; i * kLanes < end; i += 2) {
+    std::array<Lanes, 2> is_zero{};
+    for (std::size_t b = 0; b < 2; ++b) {
+      Lanes sum{};
+      for (std::size_t k = 0; k < 6; ++k) sum += lines[i + b][k] * factors[k];
+      is_zero[b] = static_cast<Lanes>(sum == 0);
     }
-    const auto is_zero = sum == 0;
+    is_zero[0] &= is_behind;
+    is_behind = ~Lanes{};
+    const Lanes any = is_zero[0] | is_zero[1];
     std::array<std::uint64_t, sizeof(is_zero) / sizeof(std::uint64_t)> words;
-    std::memcpy(words.data(), &is_zero, sizeof(is_zero));
+    std::memcpy(words.data(), &any, sizeof(any));
     if ((words[0] | words[1] | words[2] | words[3]) == 0) continue;
-    for (std::size_t k = 0; k < kLanes && begin + k < end; ++k) {
-      if (sum[k] == 0) found.push_back(begin + k);
+    std::memcpy(words.data(), &is_zero, sizeof(is_zero));
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      for (std::size_t at = i * kLanes + 4 * k; words[k] != 0; words[k] >>= 16, ++at) {
+        if ((words[k] & 1) != 0 && at < end) found.push_back(at);
+      }
     }
   }
 }
@@ -101,7 +74,7 @@ __attribute__((always_inline)) inline void add_coplanar(const LineModulo& line,
 #if defined(__x86_64__)
 const bool kHasAvx2 = __builtin_cpu_supports("avx2") != 0;
 __attribute__((target("avx2"))) void add_coplanar_avx2(const LineModulo& line,
-                                                       const LineComponents& lines,
+                                                       const std::vector<LineBlock>& lines,
                                                        std::size_t begin, std::size_t end,
                                                        std::vector<std::size_t>& found) {
   add_coplanar(line, lines, begin, end, found);
@@ -140,7 +113,7 @@ class SlabSweep {
       box_.add(segment(i).at.from);
       box_.add(segment(i).at.to);
     }
-    columns_ = static_cast<std::uint32_t>(48 * std::pow(middles_.size(), 0.4)) + 1;
+    columns_ = static_cast<std::uint32_t>(16 * std::pow(middles_.size(), 0.4)) + 1;
     const Vector size = box_.high() - box_.low();
     per_x_ = columns_ / static_cast<double>(size.x + 1);
     per_y_ = 1024 / static_cast<double>(size.y + 1);
@@ -152,12 +125,19 @@ class SlabSweep {
         active[i < middles_.size() ? 0 : 1].push_back(started(i));
       }
       const bool is_last = slab + 1 == bottom_.size();
-      const std::int64_t top = is_last ? box_.high().z : bottom_[slab + 1];
+      const std::int64_t top = is_last ? box_.high().z + 1 : bottom_[slab + 1];
       entries_.clear();
       end_of_cell_.assign(std::size_t{rows_} * columns_ + 2, 0);
       for (auto& some : active) {
-        for (ReachingSegment& one : some) enter(one, top);
-        std::erase_if(some, [&](const ReachingSegment& one) { return one.high < top; });
+        for (std::size_t i = 0; i < some.size();) {
+          enter(some[i], top);
+          if (some[i].high >= top) {
+            ++i;
+          } else {
+            some[i] = some.back();
+            some.pop_back();
+          }
+        }
       }
       compare_entries();
     }
@@ -172,8 +152,9 @@ class SlabSweep {
  private:
   /// What reaches into the slab or those above of a segment; lengths in x are in columns.
   struct ReachingSegment {
-    double x, y, end_x, end_y;
+    double x, y;            ///< where it reaches `low`
     double lean_x, lean_y;  ///< per height
+    double lean;            ///< in x per y
     std::int64_t low, high;
     LineModulo line;
     std::uint32_t index;
@@ -230,17 +211,16 @@ class SlabSweep {
 
   ReachingSegment started(std::uint32_t index) const {
     const auto [p, q] = segment(index).at;
-    const double per_rise = 1 / static_cast<double>(std::max<std::int64_t>(q.z - p.z, 1));
-    const double x = column(p), y = height(p), end_x = column(q), end_y = height(q);
+    const std::int64_t rise = std::max<std::int64_t>(q.z - p.z, 1);
+    const double x = column(p), y = height(p), dx = column(q) - x, dy = height(q) - y;
     const auto above = std::upper_bound(row_begin_.begin(), row_begin_.end(), y);
     return {x,
             y,
-            end_x,
-            end_y,
-            (end_x - x) * per_rise,
-            (end_y - y) * per_rise,
+            dx / static_cast<double>(rise),
+            dy / static_cast<double>(rise),
+            dy == 0 ? 0 : dx / dy,
             p.z,
-            q.z,
+            p.z + rise,
             line_of({p, q}),
             index,
             static_cast<std::uint32_t>(above - row_begin_.begin()) - 1};
@@ -248,12 +228,8 @@ class SlabSweep {
 
   /// Enters what is below the top.
   void enter(ReachingSegment& one, std::int64_t top) {
-    double x0 = one.x, y0 = one.y, x1 = one.end_x, y1 = one.end_y;
-    if (top < one.high) {
-      const auto rise = static_cast<double>(top - one.low);
-      x1 = x0 + rise * one.lean_x;
-      y1 = y0 + rise * one.lean_y;
-    }
+    const auto rise = static_cast<double>(std::min(top, one.high) - one.low);
+    double x0 = one.x, y0 = one.y, x1 = x0 + rise * one.lean_x, y1 = y0 + rise * one.lean_y;
     one.x = x1;
     one.y = y1;
     one.low = top;
@@ -264,12 +240,11 @@ class SlabSweep {
     while (row_begin_[one.row] > y0 - kMargin) --one.row;
     while (row_begin_[one.row + 1] < y0 - kMargin) ++one.row;
     const bool is_flat = y1 - y0 < kMargin;
-    const double lean = is_flat ? 0 : (x1 - x0) / (y1 - y0);
     for (std::uint32_t row = one.row; row_begin_[row] <= y1 + kMargin; ++row) {
       // Where it enters the row and leaves it.
       const double in = row_begin_[row] - kMargin - y0, out = row_begin_[row + 1] + kMargin - y0;
-      const double from = is_flat || in <= 0 ? x0 : x0 + in * lean;
-      const double to = is_flat || out >= y1 - y0 ? x1 : x0 + out * lean;
+      const double from = is_flat || in <= 0 ? x0 : x0 + in * one.lean;
+      const double to = is_flat || out >= y1 - y0 ? x1 : x0 + out * one.lean;
       const std::uint32_t first = row * columns_ + cell(std::min(from, to) - kMargin);
       const std::uint32_t last = row * columns_ + cell(std::max(from, to) + kMargin);
       entries_.push_back({one.line, one.index, first, last});
@@ -295,11 +270,10 @@ class SlabSweep {
   }
 
   void separate_components() {
-    for (std::size_t k = 0; k < 6; ++k) {
-      lines_[k].resize(std::max(lines_[k].size(), sorted_.size() + kLanes));
-    }
+    lines_.resize(std::max(lines_.size(), sorted_.size() / kLanes + 2));
     for (std::size_t i = 0; i < sorted_.size(); ++i) {
-      for (std::size_t k = 0; k < 6; ++k) lines_[k][i] = sorted_[i].line[k];
+      LineBlock& block = lines_[i / kLanes];
+      for (std::size_t k = 0; k < 6; ++k) block[k][i % kLanes] = sorted_[i].line[k];
     }
   }
 
@@ -347,33 +321,13 @@ class SlabSweep {
   std::vector<std::vector<std::uint32_t>> begins_;  ///< what begins in each slab
   std::vector<CellEntry> entries_, sorted_;         ///< sorted by first cell
   std::vector<std::uint32_t> end_of_cell_;
-  LineComponents lines_;  ///< of sorted_
+  std::vector<LineBlock> lines_;  ///< of sorted_
   std::vector<std::size_t> behind_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> coplanar_;  ///< middle and other
   std::vector<std::uint32_t> found_;
 };
 
 }  // namespace
-
-bool are_parallel(Vector u, Vector v) { return is_zero(cross(u, v)); }
-
-bool meet(const LatticeSegment& a, const LatticeSegment& b) {
-  if (!overlap(a.from.x, a.to.x, b.from.x, b.to.x) ||
-      !overlap(a.from.y, a.to.y, b.from.y, b.to.y) ||
-      !overlap(a.from.z, a.to.z, b.from.z, b.to.z)) {
-    return false;
-  }
-  const Vector u = a.to - a.from;
-  const Vector v = b.to - b.from;
-  const Vector w = b.from - a.from;
-  const Wide normal = cross(u, v);
-  // On one line, boxes that overlap are segments that overlap.
-  if (is_zero(normal)) return is_zero(cross(u, w));
-  if (!is_orthogonal(normal, w)) return false;
-  // a.from + s u = b.from + t v with s = (w x v) / (u x v), t = (w x u) / (u x v).
-  const std::size_t k = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
-  return is_fraction(cross(w, v)[k], normal[k]) && is_fraction(cross(w, u)[k], normal[k]);
-}
 
 std::vector<std::uint32_t> owners_that_meet(const DrawnSegments& drawn,
                                             const DrawnSegments& before) {
