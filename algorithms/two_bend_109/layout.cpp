@@ -43,15 +43,20 @@ constexpr std::int64_t kLargest = std::int64_t{1} << 60;
 
 class LayoutMaker {
  public:
-  LayoutMaker(const Graph& graph, const std::vector<VertexPart>& parts,
-              const SlotArrangement& arrangement, LayoutScale scale, std::span<const Vertex> names)
-      : graph_(graph), parts_(parts), arrangement_(arrangement), names_(names) {
+  LayoutMaker(const Graph& graph, std::span<const VertexPart> parts,
+              const SlotArrangement& arrangement, LayoutScale scale, std::uint32_t first_slot,
+              Layout before)
+      : graph_(graph),
+        parts_(parts),
+        arrangement_(arrangement),
+        first_slot_(first_slot),
+        made_(std::move(before)) {
     made_.scale = scale;
+    made_.end_slot = first_slot;
     made_.place.resize(graph.num_vertices());
   }
 
   Layout run() {
-    place_slots();
     for (const VertexPart& part : parts_) {
       part.kind == PartKind::body ? raise_body(part) : raise(part);
     }
@@ -62,24 +67,20 @@ class LayoutMaker {
   std::int64_t checked(Int128 value, Vertex v) const {
     if (value > kLargest || value < -kLargest) {
       throw InputError(fmt::format(
-          "two-bend-109: a coordinate of vertex {} may pass 2^60, the graph is too large",
-          names_.empty() ? v : names_[v]));
+          "two-bend-109: a coordinate of vertex {} may pass 2^60, the graph is too large", v));
     }
     return static_cast<std::int64_t>(value);
   }
 
-  void place_slots() {
-    const LayoutScale& scale = made_.scale;
-    const auto& kinds = arrangement_.kind;
-    std::vector<Int128> x(kinds.size());
-    for (std::size_t i = 1; i < kinds.size(); ++i) {
-      x[i] = x[i - 1] + std::max(scale.gap(kinds[i - 1]), scale.gap(kinds[i]));
+  /// The slot's x, from that of the slot before it.
+  Int128 x_of(std::uint32_t slot) {
+    while (made_.end_slot <= slot) {
+      const SlotKind* kind = &arrangement_.kind[made_.end_slot++];
+      x_.push_back(x_.empty()
+                       ? Int128{0}
+                       : x_.back() + std::max(made_.scale.gap(kind[-1]), made_.scale.gap(kind[0])));
     }
-    for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
-      if (parts_[arrangement_.part[v]].kind == PartKind::body) continue;
-      const Vector offset = offset_of(arrangement_.spot[v]);
-      made_.place[v] = {checked(x[arrangement_.slot[v]], v) + offset.x, offset.y, 0};
-    }
+    return x_[slot - first_slot_];
   }
 
   Vector offset_of(SlotSpot spot) const {
@@ -119,6 +120,8 @@ class LayoutMaker {
   void raise(const VertexPart& part) {
     Int128 base = Int128{top_} + kStep;
     for (const Vertex v : part.vertices) {
+      const Vector offset = offset_of(arrangement_.spot[v]);
+      made_.place[v] = {checked(x_of(arrangement_.slot[v]), v) + offset.x, offset.y, 0};
       for (const HalfEdge& half : graph_.incident(v)) {
         if (arrangement_.part[half.to] >= arrangement_.part[v]) continue;
         const Int128 least =
@@ -130,7 +133,6 @@ class LayoutMaker {
     const std::int64_t step = part.vertices.size() > 3 ? kCycleStep : kStep;
     for (const Vertex v : part.vertices) {
       top_ = made_.place[v].z = checked(base, v);
-      made_.order.push_back(v);
       base += step;
     }
   }
@@ -178,19 +180,20 @@ class LayoutMaker {
   }
 
   const Graph& graph_;
-  const std::vector<VertexPart>& parts_;
+  std::span<const VertexPart> parts_;
   const SlotArrangement& arrangement_;
-  std::span<const Vertex> names_;
+  std::uint32_t first_slot_;
   Layout made_;
+  std::vector<Int128> x_;  ///< of each slot from the first one on
   std::int64_t top_ = 0;
 };
 
 }  // namespace
 
-Layout lay_out(const Graph& graph, const std::vector<VertexPart>& parts,
-               const SlotArrangement& arrangement, LayoutScale scale,
-               std::span<const Vertex> names) {
-  return LayoutMaker(graph, parts, arrangement, scale, names).run();
+Layout lay_out(const Graph& graph, std::span<const VertexPart> parts,
+               const SlotArrangement& arrangement, LayoutScale scale, std::uint32_t first_slot,
+               Layout before) {
+  return LayoutMaker(graph, parts, arrangement, scale, first_slot, std::move(before)).run();
 }
 
 }  // namespace ar3d::two_bend_109

@@ -36,16 +36,17 @@ inline constexpr std::int64_t kCycleStep = 2 * kCycleStubZ + 2;
 /// 0 <= a, b < jitter.
 struct Layout {
   LayoutScale scale;
-  std::vector<Vertex> order;  ///< upwards; without the vertices of bodies
-  std::vector<Point> place;   ///< of each vertex; of those of bodies too, all move alike
+  std::vector<Point> place;    ///< of each vertex; of those of bodies too, all move alike
+  std::uint32_t end_slot = 0;  ///< behind those of the component
 };
 
 /// Heights by slope: so high above its earlier neighbours that no edge leans too much, wherever
 /// both choose to stand (Step E.3).
-/// @param names  what the vertices are called in messages; by their numbers if empty.
-/// @throws InputError naming the first vertex whose coordinates may pass 2^60. O(n).
-Layout lay_out(const Graph& graph, const std::vector<VertexPart>& parts,
-               const SlotArrangement& arrangement, LayoutScale scale,
-               std::span<const Vertex> names = {});
+/// @param parts  of one component, whose slots begin with this one. The vertices of the others keep
+/// their places in `before`.
+/// @throws InputError naming a vertex whose coordinates may pass 2^60. O(size of the component).
+Layout lay_out(const Graph& graph, std::span<const VertexPart> parts,
+               const SlotArrangement& arrangement, LayoutScale scale, std::uint32_t first_slot = 0,
+               Layout before = {});
 
 }  // namespace ar3d::two_bend_109

@@ -49,7 +49,7 @@ class Partitioner {
     if (std::optional<Vertex> v = next_of(leaves_, 1)) return take_single(*v);
     if (std::optional<Vertex> v = next_of(passages_, 2)) {
       const std::vector<Vertex> cycle = cycle_component(*v);
-      return cycle.empty() ? take_single(*v) : take({PartKind::cycle, cycle, nullptr});
+      return cycle.empty() ? take_single(*v) : take(PartKind::cycle, cycle);
     }
     while (first_ < at_.size() && at_[first_].is_taken) ++first_;
     if (first_ == at_.size()) return false;
@@ -74,17 +74,17 @@ class Partitioner {
 
   bool take_single(Vertex v) {
     expect(at_[v].full_degree - at_[v].degree <= 3, "a single has at most 3 earlier neighbours");
-    return take({PartKind::single, {v}, nullptr});
+    return take(PartKind::single, {&v, 1});
   }
 
-  bool take(VertexPart part) {
-    for (const Vertex v : part.vertices) remove(v);
-    for (const Vertex v : part.vertices) {
+  bool take(PartKind kind, std::span<const Vertex> part, const SmallBody* body = nullptr) {
+    for (const Vertex v : part) remove(v);
+    for (const Vertex v : part) {
       for (const Vertex w : neighbours(v)) {
         if (!at_[w].is_taken) note_degree(w);
       }
     }
-    parts_.push_back(std::move(part));
+    parts_.push_back({kind, {part.begin(), part.end()}, body});
     return true;
   }
 
@@ -93,7 +93,7 @@ class Partitioner {
   bool take_from_core(Vertex root) {
     // At most 2 log2(k) + 1 long for k vertices.
     std::vector<Vertex> cycle = first_cycle(root, [](Vertex) { return true; });
-    if (leaves_all_alive(cycle)) return take({PartKind::cycle, cycle, nullptr});
+    if (leaves_all_alive(cycle)) return take(PartKind::cycle, cycle);
     ++stamp_;
     const std::vector<Vertex> core = unmarked_component(root);
     auto [dead, alive] = dead_and_alive(core, cycle);
@@ -107,7 +107,7 @@ class Partitioner {
       cycle = cycle_off(cycle, dead, alive);
       std::tie(dead, alive) = dead_and_alive(core, cycle);
     }
-    return take({PartKind::cycle, cycle, nullptr});
+    return take(PartKind::cycle, cycle);
   }
 
   bool take_body(const std::vector<Vertex>& core) {
@@ -121,7 +121,7 @@ class Partitioner {
     auto [body, vertices] = find_body(Graph(core.size(), std::move(edges)));
     expect(body != nullptr, "a core without two disjoint cycles is one of the small bodies");
     for (Vertex& v : vertices) v = core[v];
-    return take({PartKind::body, std::move(vertices), body});
+    return take(PartKind::body, vertices, body);
   }
 
   std::span<const Vertex> neighbours(Vertex v) const { return {at_[v].to.data(), at_[v].degree}; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <vector>
 
@@ -14,14 +15,17 @@ enum class PartKind : std::uint8_t {
   body,    ///< induces one of small_bodies(); no vertex has a neighbour in a later part
 };
 
+using PartVertices = boost::container::small_vector<Vertex, 2>;
+
 struct VertexPart {
   PartKind kind = PartKind::single;
-  std::vector<Vertex> vertices;  ///< of a cycle in their order around it, of a body in the body's
+  /// Of a cycle in their order around it, of a body in the body's.
+  PartVertices vertices;
   const SmallBody* body = nullptr;  ///< of a body
 };
 
-/// The ordered partition of Lemma E.2; bodies come last.
-/// @param graph  connected, of maximum degree at most 4.
+/// The ordered partition of Lemma E.2 of each component, all of them mixed; bodies come last.
+/// @param graph  of maximum degree at most 4.
 /// @param looked_at  gets the number of half-edges that the searches for cycles looked at, if not
 /// null. Cost: O(n) and that number: a small multiple of n in practice, polynomial in n at worst.
 std::vector<VertexPart> find_partition(const Graph& graph, std::uint64_t* looked_at = nullptr);

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <span>
+#include <optional>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
@@ -65,54 +65,65 @@ class SquareWalk {
 
 class VertexPlacer {
  public:
-  VertexPlacer(const Graph& graph, const std::vector<VertexPart>& parts,
-               const SlotArrangement& arrangement, const Layout& layout, std::uint64_t seed)
-      : graph_(graph), parts_(parts), arrangement_(arrangement), layout_(layout) {
-    made_.at.resize(graph.num_vertices());
-    made_.ends.resize(graph.num_vertices());
-    first_stub_.resize(graph.num_vertices());
-    for (const Vertex v : layout.order) walks_.emplace_back(seed, v, layout.scale.jitter);
-    for (const VertexPart& part : parts) {
+  VertexPlacer(const Graph& graph, std::span<const VertexPart> parts,
+               const SlotArrangement& arrangement, const Layout& layout, Placement& made)
+      : graph_(graph),
+        parts_(parts),
+        arrangement_(arrangement),
+        layout_(layout),
+        made_(made),
+        first_rank_(arrangement.rank[parts.front().vertices.front()]),
+        num_vertices_(arrangement.rank[parts.back().vertices.back()] + 1 - first_rank_),
+        first_part_(arrangement.part[parts.front().vertices.front()]),
+        first_body_(parts.size()) {}
+
+  bool run(std::uint64_t seed, std::span<const Vertex> names, MeetingSearch& find) {
+    walks_.reserve(num_vertices_);
+    for (const VertexPart& part : parts_) {
       if (part.kind == PartKind::body) {
-        walks_.emplace_back(seed, part.vertices[0], layout.scale.body_jitter);
+        walks_.emplace_back(seed, names[part.vertices[0]], layout_.scale.body_jitter);
+        --first_body_;
+        continue;
+      }
+      for (const Vertex v : part.vertices) {
+        walks_.emplace_back(seed, names[v], layout_.scale.jitter);
       }
     }
-  }
-
-  std::optional<Placement> run(MeetingSearch& find) {
     // Those before the first that goes on never move again; so that one meets nothing older at the
     // latest when it has gone through its whole square, if a point is free there.
-    const bool is_endless = layout_.scale == LayoutScale::always_enough(graph_.num_vertices());
+    const bool is_endless = layout_.scale == LayoutScale::always_enough(num_vertices_);
     for (DrawnSegments before; place_all(); before = std::exchange(drawn_, {})) {
       const std::vector<std::uint32_t> owners = find(drawn_, before);
       for (const std::uint32_t owner : owners) walks_[owner].go_on();
       const bool ends = std::any_of(owners.begin(), owners.end(), [&](std::uint32_t owner) {
         return walks_[owner].tried() > walks_[owner].count();
       });
-      if (ends && !is_endless) return std::nullopt;
+      if (ends && !is_endless) return false;
       if (!owners.empty()) continue;
       for (const SquareWalk& walk : walks_) made_.tried += static_cast<std::int64_t>(walk.tried());
-      return std::move(made_);
+      return true;
     }
-    return std::nullopt;
+    return false;
   }
 
  private:
   /// True if each finds a point.
   bool place_all() {
-    is_placed_.assign(graph_.num_vertices(), false);
-    legs_.assign(parts_.size(), {});
-    drawn_.middles.reserve(graph_.num_edges());
-    drawn_.stubs.reserve(std::size_t{4} * graph_.num_vertices());
+    legs_.assign(parts_.size() - first_body_, {});
+    const std::size_t most = std::size_t{2} * num_vertices_;
+    drawn_.middles.reserve(std::min<std::size_t>(graph_.num_edges(), most));
+    drawn_.stubs.reserve(2 * most);
     owner_ = 0;
-    for (const Vertex v : layout_.order) {
-      if (!place_vertex(v)) return false;
-      ++owner_;
-    }
     for (const VertexPart& part : parts_) {
-      if (part.kind != PartKind::body) continue;
-      if (!place_body(part)) return false;
-      ++owner_;
+      if (part.kind == PartKind::body) {
+        if (!place_body(part)) return false;
+        ++owner_;
+        continue;
+      }
+      for (const Vertex v : part.vertices) {
+        if (!place_vertex(v)) return false;
+        ++owner_;
+      }
     }
     return true;
   }
@@ -138,11 +149,13 @@ class VertexPlacer {
     return arrangement_.stubs[v].ends[arrangement_.port[v][i]];
   }
 
-  void add_edges_down(Vertex v, std::vector<NewEdge>& edges) const {
+  /// Adds those to vertices that come before v by this order.
+  void add_edges_down(Vertex v, const std::vector<std::uint32_t>& order,
+                      std::vector<NewEdge>& edges) const {
     const auto incident = graph_.incident(v);
     for (std::size_t i = 0; i < incident.size(); ++i) {
       const Vertex w = incident[i].to;
-      if (!is_placed_[w] || arrangement_.part[w] > arrangement_.part[v]) continue;
+      if (order[w] >= order[v]) continue;
       const std::size_t j = index_of(w, v);
       edges.push_back(
           {w, arrangement_.port[w][j], stub(w, j), made_.ends[w][j], arrangement_.port[v][i]});
@@ -151,7 +164,7 @@ class VertexPlacer {
 
   bool place_vertex(Vertex v) {
     edges_.clear();
-    add_edges_down(v, edges_);
+    add_edges_down(v, arrangement_.rank, edges_);
     if (!choose([&](Vector offset) { return fits(v, layout_.place[v] + offset, edges_); })) {
       return false;
     }
@@ -192,12 +205,12 @@ class VertexPlacer {
   }
 
   /// No two edges to one body are the diagonals of a trapezium wherever the body stands.
-  bool keeps_legs_apart(Vertex v) const {
+  bool keeps_legs_apart(Vertex v) {
     const auto incident = graph_.incident(v);
     for (std::size_t i = 0; i < incident.size(); ++i) {
       const std::optional<Point> end = leg_end(incident[i].to);
       if (!end) continue;
-      for (const LatticeSegment& other : legs_[arrangement_.part[incident[i].to]]) {
+      for (const LatticeSegment& other : legs_to(incident[i].to)) {
         if (are_parallel(made_.ends[v][i] - other.from, *end - other.to)) return false;
       }
     }
@@ -206,24 +219,26 @@ class VertexPlacer {
 
   /// In the body's own coordinates, if w is in a body.
   std::optional<Point> leg_end(Vertex w) const {
-    const VertexPart& part = parts_[arrangement_.part[w]];
-    if (part.kind != PartKind::body) return std::nullopt;
+    if (legs_.empty() || arrangement_.part[w] - first_part_ < first_body_) return std::nullopt;
+    const VertexPart& part = parts_[arrangement_.part[w] - first_part_];
     for (const SmallBody::BodyLeg& leg : part.body->legs) {
       if (part.vertices[leg.v] == w) return leg.end;
     }
     throw InternalError("internal error: a vertex of a body with an edge down has a leg");
   }
 
+  std::vector<LatticeSegment>& legs_to(Vertex w) {
+    return legs_[arrangement_.part[w] - first_part_ - first_body_];
+  }
+
   void commit(Vertex v, const std::vector<NewEdge>& edges) {
-    is_placed_[v] = true;
-    first_stub_[v] = static_cast<std::uint32_t>(drawn_.stubs.size());
     const std::array<Vector, 4>& stubs = arrangement_.stubs[v].ends;
     for (const Vector stub : stubs) add_stub({made_.at[v], made_.at[v] + stub});
     for (const NewEdge& edge : edges) add_middle(edge, made_.at[v] + stubs[edge.port]);
     const auto incident = graph_.incident(v);
     for (std::size_t i = 0; i < incident.size(); ++i) {
       const std::optional<Point> end = leg_end(incident[i].to);
-      if (end) legs_[arrangement_.part[incident[i].to]].push_back({made_.ends[v][i], *end});
+      if (end) legs_to(incident[i].to).push_back({made_.ends[v][i], *end});
     }
   }
 
@@ -232,7 +247,8 @@ class VertexPlacer {
   }
 
   void add_middle(const NewEdge& edge, Point to) {
-    drawn_.middles.push_back({{edge.from, to}, owner_, first_stub_[edge.below] + edge.port_below});
+    const std::uint32_t below = arrangement_.rank[edge.below] - first_rank_;
+    drawn_.middles.push_back({{edge.from, to}, owner_, 4 * below + edge.port_below});
   }
 
   bool place_body(const VertexPart& part) {
@@ -240,7 +256,7 @@ class VertexPlacer {
     const std::vector<SmallBody::BodyLeg>& legs = part.body->legs;
     for (std::size_t leg = 0; leg < legs.size(); ++leg) {
       const std::size_t before = edges.size();
-      add_edges_down(part.vertices[legs[leg].v], edges);
+      add_edges_down(part.vertices[legs[leg].v], arrangement_.part, edges);
       for (std::size_t i = before; i < edges.size(); ++i) {
         edges[i].port = static_cast<std::uint8_t>(leg);
       }
@@ -296,15 +312,15 @@ class VertexPlacer {
   }
 
   const Graph& graph_;
-  const std::vector<VertexPart>& parts_;
+  std::span<const VertexPart> parts_;
   const SlotArrangement& arrangement_;
   const Layout& layout_;
-  Placement made_;
+  Placement& made_;
+  std::uint32_t first_rank_, num_vertices_;  ///< of the component
+  std::size_t first_part_, first_body_;      ///< by index into all parts, into those here
   std::vector<SquareWalk> walks_;  ///< by owner: the vertices off bodies in their order, the bodies
   std::uint32_t owner_ = 0;        ///< who is placed now
   DrawnSegments drawn_;
-  std::vector<std::uint32_t> first_stub_;  ///< of each placed vertex: index of the first of four
-  std::vector<bool> is_placed_;            ///< vertices that are not in bodies
   std::vector<NewEdge> edges_;
   /// Holds of each body the bend that will be joined to it and the end of its leg, in the body's
   /// coordinates, for those whose lower vertex is placed.
@@ -313,10 +329,10 @@ class VertexPlacer {
 
 }  // namespace
 
-std::optional<Placement> place(const Graph& graph, const std::vector<VertexPart>& parts,
-                               const SlotArrangement& arrangement, const Layout& layout,
-                               std::uint64_t seed, MeetingSearch& find) {
-  return VertexPlacer(graph, parts, arrangement, layout, seed).run(find);
+bool place(const Graph& graph, std::span<const VertexPart> parts,
+           const SlotArrangement& arrangement, const Layout& layout, std::uint64_t seed,
+           std::span<const Vertex> names, Placement& made, MeetingSearch& find) {
+  return VertexPlacer(graph, parts, arrangement, layout, made).run(seed, names, find);
 }
 
 }  // namespace ar3d::two_bend_109

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
@@ -11,22 +11,26 @@
 
 namespace ar3d::two_bend_109 {
 
-/// Holds where everything stands: the drawing of a connected graph.
+/// Holds where everything stands, each component by itself.
 struct Placement {
+  explicit Placement(Vertex num_vertices) : at(num_vertices), ends(num_vertices) {}
   std::vector<Point> at;                   ///< of each vertex
   std::vector<std::array<Point, 4>> ends;  ///< entry i of a vertex: the bend next to it on its i-th
                                            ///< incident edge
-  std::int64_t tried = 0;                  ///< points tried in all
+  std::int64_t tried = 0;                  ///< points tried in all, for what could be placed
 };
 
 /// owners_that_meet(), or what tests compare it with.
 using MeetingSearch = decltype(owners_that_meet);
 
 /// Each vertex and body takes a point of its square where no new middle is flat and nothing new
-/// meets anything older, by Step E.4; nothing if some square is seen to be too small. At the scale
+/// meets anything older, by Step E.4; false if some square is seen to be too small. At the scale
 /// LayoutScale::always_enough(n) none is (Lemma E.5). Takes O(n) and `find`, in each round.
-std::optional<Placement> place(const Graph& graph, const std::vector<VertexPart>& parts,
-                               const SlotArrangement& arrangement, const Layout& layout,
-                               std::uint64_t seed, MeetingSearch& find = owners_that_meet);
+/// @param parts  of one component, of n vertices.
+/// @param names  of all vertices within their components: the choices depend on them and the seed.
+/// @param made  has room for the graph, and nothing else in it changes.
+bool place(const Graph& graph, std::span<const VertexPart> parts,
+           const SlotArrangement& arrangement, const Layout& layout, std::uint64_t seed,
+           std::span<const Vertex> names, Placement& made, MeetingSearch& find = owners_that_meet);
 
 }  // namespace ar3d::two_bend_109

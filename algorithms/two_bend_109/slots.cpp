@@ -64,12 +64,12 @@ class Arranger {
     made_.part.resize(n);
     made_.stubs.resize(n);
     made_.port.resize(n);
-    rank_.resize(n);
+    made_.rank.resize(n);
     std::uint32_t rank = 0;
     for (std::uint32_t i = 0; i < parts.size(); ++i) {
       for (const Vertex v : parts[i].vertices) {
         made_.part[v] = i;
-        rank_[v] = rank++;
+        made_.rank[v] = rank++;
       }
     }
   }
@@ -99,7 +99,7 @@ class Arranger {
     for (const HalfEdge& half : graph_.incident(v)) {
       if (!is_down(v, half.to)) continue;
       found.insert(std::find_if(found.begin(), found.end(),
-                                [&](Vertex w) { return rank_[w] > rank_[half.to]; }),
+                                [&](Vertex w) { return made_.rank[w] > made_.rank[half.to]; }),
                    half.to);
     }
     return found;
@@ -141,13 +141,13 @@ class Arranger {
     if (other != corners.end()) std::swap(corners[0], *other);
   }
 
-  void open_cycle(const std::vector<Vertex>& cycle) {
+  void open_cycle(const PartVertices& cycle) {
     std::uint32_t at = list_.last();
     std::uint32_t highest = 0;
     for (const Vertex v : cycle) {
       for (const Vertex w : downs(v)) {
-        if (rank_[w] < highest) continue;
-        highest = rank_[w];
+        if (made_.rank[w] < highest) continue;
+        highest = made_.rank[w];
         at = made_.slot[w];
       }
     }
@@ -250,7 +250,7 @@ class Arranger {
     use(v, second, 3);
   }
 
-  void stand_cycle(const std::vector<Vertex>& c) {
+  void stand_cycle(const PartVertices& c) {
     const std::size_t k = c.size();
     stand(c[0], Stance::corner, false, false, c[k - 1], c[1]);
     stand(c[1], Stance::corner, false, true, c[2], c[0]);
@@ -273,7 +273,6 @@ class Arranger {
   const Graph& graph_;
   const std::vector<VertexPart>& parts_;
   SlotArrangement made_;
-  std::vector<std::uint32_t> rank_;  ///< of each vertex in the parts' order, which is upwards
   SlotList list_;
   std::vector<std::uint32_t> list_of_;            ///< slots of the list in their order
   std::vector<std::uint32_t> triangle_of_;        ///< of each slot of the list: its triangle

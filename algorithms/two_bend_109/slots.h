@@ -53,12 +53,14 @@ struct SlotArrangement {
   std::vector<SlotSpot> spot;       ///< of each vertex
   std::vector<SlotKind> kind;       ///< of each slot, by place in the order
   std::vector<std::uint32_t> part;  ///< of each vertex: index into the parts
+  std::vector<std::uint32_t> rank;  ///< of each vertex in the parts' order, which is upwards
   std::vector<Stubs> stubs;         ///< of each vertex
   /// Entry i of a vertex: which stub its i-th incident edge takes.
   std::vector<std::array<std::uint8_t, 4>> port;
 };
 
-/// @param parts  of the graph, bodies last. Cost: O(n) but for the list's.
+/// @param parts  of the graph by component, bodies last in each; so are the slots. Cost: O(n) but
+/// for the list's.
 SlotArrangement arrange(const Graph& graph, const std::vector<VertexPart>& parts);
 
 }  // namespace ar3d::two_bend_109

@@ -21,93 +21,51 @@ namespace {
 constexpr int kHighestEffort = 1;
 constexpr std::int64_t kMostJitter = std::int64_t{1} << 30;  // its square fits 64 bits
 
-/// A component as a graph of its own; both number vertices and edges in the same order.
-struct Component {
-  Graph graph;
-  std::vector<Vertex> vertices;
-  std::vector<EdgeId> edges;
-};
-
-std::vector<Component> components_of(const Graph& graph) {
-  const Components found = connected_components_of(graph);
-  std::vector<Component> components(found.count);
-  if (found.count == 1) {
-    components[0].graph = graph;
-    components[0].vertices.resize(graph.num_vertices());
-    components[0].edges.resize(graph.num_edges());
-    std::iota(components[0].vertices.begin(), components[0].vertices.end(), Vertex{0});
-    std::iota(components[0].edges.begin(), components[0].edges.end(), EdgeId{0});
-    return components;
-  }
-  std::vector<Vertex> name(graph.num_vertices());
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    auto& vertices = components[found.of[v]].vertices;
-    name[v] = static_cast<Vertex>(vertices.size());
-    vertices.push_back(v);
-  }
-  std::vector<std::vector<Edge>> edges(found.count);
-  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
-    const Edge ends = graph.edge(e);
-    edges[found.of[ends.u]].push_back({name[ends.u], name[ends.v]});
-    components[found.of[ends.u]].edges.push_back(e);
-  }
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    components[i].graph = Graph(components[i].vertices.size(), std::move(edges[i]));
-  }
-  return components;
+/// Component after component, in each in the order that they have.
+std::vector<VertexPart> by_component(std::vector<VertexPart> parts, const Components& components) {
+  if (components.count <= 1) return parts;
+  const auto of = [&](const VertexPart& part) { return components.of[part.vertices[0]]; };
+  std::vector<std::size_t> next(components.count + 1);
+  for (const VertexPart& part : parts) ++next[of(part) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<VertexPart> sorted(parts.size());
+  for (VertexPart& part : parts) sorted[next[of(part)]++] = std::move(part);
+  return sorted;
 }
 
-/// Extents of the union of what is drawn over all choices of all vertices in their squares
-/// (instance_bound): a bend moves with its vertex. O(n).
-std::array<std::int64_t, 3> extents_of_choices(const Graph& graph,
-                                               const std::vector<VertexPart>& parts,
-                                               const SlotArrangement& arrangement,
-                                               const Layout& layout, const Placement& placement) {
-  GrowingBox box;
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    const bool in_body = parts[arrangement.part[v]].kind == PartKind::body;
-    const std::int64_t most = (in_body ? layout.scale.body_jitter : layout.scale.jitter) - 1;
-    const auto add = [&](Point p) {
-      box.add(p);
-      box.add(p + Vector{most, most, 0});
-    };
-    add(layout.place[v]);
-    for (std::size_t i = 0; i < graph.degree(v); ++i) {
-      add(layout.place[v] + (placement.ends[v][i] - placement.at[v]));
-    }
-  }
-  const Point low = box.low(), high = box.high();
-  return {high.x - low.x, high.y - low.y, high.z - low.z};
-}
-
-/// Draws components and collects them side by side.
+/// Draws component by component and collects them side by side.
 class SideBySide {
  public:
   explicit SideBySide(const Graph& graph)
-      : graph_(graph), at_(graph.num_vertices()), bends_(graph.num_edges()) {}
+      : graph_(graph),
+        found_(connected_components_of(graph)),
+        all_parts_(by_component(find_partition(graph), found_)),
+        arrangement_(arrange(graph, all_parts_)),
+        names_(graph.num_vertices()),
+        placement_(graph.num_vertices()),
+        at_(graph.num_vertices()),
+        bends_(graph.num_edges()) {
+    for (const VertexPart& part : all_parts_) ++parts_[static_cast<std::size_t>(part.kind)];
+  }
 
-  /// Begins with this scale.
-  void add(const Component& component, LayoutScale scale) {
-    const Graph& graph = component.graph;
-    const std::vector<VertexPart> parts = find_partition(graph);
-    ++components_;
-    for (const VertexPart& part : parts) ++parts_[static_cast<std::size_t>(part.kind)];
-    const SlotArrangement arrangement = arrange(graph, parts);
-    slots_ += static_cast<std::int64_t>(arrangement.kind.size());
-    const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
-    for (;; scale = scale.next(graph.num_vertices())) {
-      const Layout layout = lay_out(graph, parts, arrangement, scale, component.vertices);
-      const std::optional<Placement> placement =
-          place(graph, parts, arrangement, layout,
-                mix_seed(seed, static_cast<std::uint64_t>(scale.jitter)));
-      if (placement) {
-        jitter_ = std::max(jitter_, scale.jitter);
-        tried_ += placement->tried;
-        const auto bound = extents_of_choices(graph, parts, arrangement, layout, *placement);
-        return add(component, *placement, bound);
-      }
-      expect(scale.jitter < LayoutScale::always_enough(graph.num_vertices()).jitter,
-             "there are more points than closed ones");
+  /// Begins with this jitter in each component, or with the scale that is always enough.
+  void add_all(std::optional<std::int64_t> first_jitter) {
+    std::vector<std::size_t> end(found_.count + 1);
+    for (const std::uint32_t component : found_.of) ++end[component + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    const std::vector<std::size_t> begin = end;
+    std::vector<Vertex> vertices(graph_.num_vertices());  // by component
+    for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
+      std::size_t& place = end[found_.of[v]];
+      names_[v] = static_cast<Vertex>(place - begin[found_.of[v]]);
+      vertices[place++] = v;
+    }
+    std::span<const VertexPart> rest = all_parts_;
+    for (std::size_t i = 0; i < found_.count; ++i) {
+      std::size_t count = 0, seen = begin[i];
+      while (seen < begin[i + 1]) seen += rest[count++].vertices.size();
+      add(rest.first(count), {&vertices[begin[i]], begin[i + 1] - begin[i]}, first_jitter);
+      rest = rest.subspan(count);
     }
   }
 
@@ -124,37 +82,74 @@ class SideBySide {
     Drawing drawing{"two-bend-109", kAxisLattice, std::move(vertices), graph_.shared_edges(),
                     std::move(bends)};
     if (!at_.empty()) drawing.instance_bound = {bound_[0] - 1, bound_[1], bound_[2]};
-    drawing.counters = {{"components", components_},
+    drawing.counters = {{"components", found_.count},
                         {"singles", parts_[0]},
                         {"cycles", parts_[1]},
                         {"bodies", parts_[2]},
-                        {"slots", slots_},
+                        {"slots", static_cast<std::int64_t>(arrangement_.kind.size())},
                         {"jitter", jitter_},
-                        {"tried", tried_}};
+                        {"tried", placement_.tried}};
     return drawing;
   }
 
  private:
-  void add(const Component& component, const Placement& placement,
-           const std::array<std::int64_t, 3>& bound) {
-    const Graph& part = component.graph;
-    bound_[0] += bound[0] + 1;
-    for (const std::size_t axis : {1u, 2u}) {
-      bound_[axis] = std::max(bound_[axis], bound[axis]);
+  void add(std::span<const VertexPart> parts, std::span<const Vertex> vertices,
+           std::optional<std::int64_t> first_jitter) {
+    std::uint64_t half_edges = 0;
+    for (const Vertex v : vertices) half_edges += graph_.degree(v);
+    const std::uint64_t seed = mix_seed(vertices.size(), half_edges / 2);
+    const std::uint32_t slot = layout_.end_slot;
+    const LayoutScale enough = LayoutScale::always_enough(vertices.size());
+    LayoutScale scale = first_jitter ? LayoutScale{*first_jitter} : enough;
+    for (;; scale = scale.next(vertices.size())) {
+      layout_ = lay_out(graph_, parts, arrangement_, scale, slot, std::move(layout_));
+      const auto jitter = static_cast<std::uint64_t>(scale.jitter);
+      if (place(graph_, parts, arrangement_, layout_, mix_seed(seed, jitter), names_, placement_)) {
+        break;
+      }
+      expect(scale.jitter < enough.jitter, "there are more points than closed ones");
     }
+    jitter_ = std::max(jitter_, scale.jitter);
+    add_bound(vertices);
+    add(vertices);
+  }
+
+  /// Adds the extents of what is drawn over all choices of all vertices in their squares
+  /// (instance_bound): a bend moves with its vertex.
+  void add_bound(std::span<const Vertex> vertices) {
     GrowingBox box;
-    for (Vertex v = 0; v < part.num_vertices(); ++v) {
-      box.add(placement.at[v]);
-      for (std::size_t i = 0; i < part.degree(v); ++i) box.add(placement.ends[v][i]);
+    for (const Vertex v : vertices) {
+      const bool in_body = arrangement_.slot[v] == SlotList::kNone;
+      const std::int64_t most = (in_body ? layout_.scale.body_jitter : layout_.scale.jitter) - 1;
+      const auto add = [&](Point p) {
+        box.add(p);
+        box.add(p + Vector{most, most, 0});
+      };
+      add(layout_.place[v]);
+      for (std::size_t i = 0; i < graph_.degree(v); ++i) {
+        add(layout_.place[v] + (placement_.ends[v][i] - placement_.at[v]));
+      }
+    }
+    const Point low = box.low(), high = box.high();
+    bound_[0] += high.x - low.x + 1;
+    bound_[1] = std::max(bound_[1], high.y - low.y);
+    bound_[2] = std::max(bound_[2], high.z - low.z);
+  }
+
+  void add(std::span<const Vertex> vertices) {
+    GrowingBox box;
+    for (const Vertex v : vertices) {
+      box.add(placement_.at[v]);
+      for (std::size_t i = 0; i < graph_.degree(v); ++i) box.add(placement_.ends[v][i]);
     }
     const Point low = box.low();
     const Vector shift{next_x_ - low.x, -low.y, -low.z};
-    for (Vertex v = 0; v < part.num_vertices(); ++v) {
-      at_[component.vertices[v]] = placement.at[v] + shift;
-      const auto incident = part.incident(v);
+    for (const Vertex v : vertices) {
+      at_[v] = placement_.at[v] + shift;
+      const auto incident = graph_.incident(v);
       for (std::size_t i = 0; i < incident.size(); ++i) {
-        const EdgeId e = incident[i].edge;
-        bends_[component.edges[e]][part.edge(e).u == v ? 0 : 1] = placement.ends[v][i] + shift;
+        const auto [to, edge] = incident[i];
+        bends_[edge][v < to ? 0 : 1] = placement_.ends[v][i] + shift;
       }
     }
     next_x_ += box.high().x - low.x + 1;
@@ -163,12 +158,18 @@ class SideBySide {
   }
 
   const Graph& graph_;
+  Components found_;
+  std::vector<VertexPart> all_parts_;
+  SlotArrangement arrangement_;
+  std::vector<Vertex> names_;  ///< of the vertices within their components
+  Layout layout_;
+  Placement placement_;
   std::vector<Point> at_;
   std::vector<std::array<Point, 2>> bends_;
   std::int64_t next_x_ = 0;
   std::int64_t largest_ = 1;
   std::array<std::int64_t, 3> bound_{}, parts_{};  ///< parts by kind
-  std::int64_t components_ = 0, slots_ = 0, jitter_ = 0, tried_ = 0;
+  std::int64_t jitter_ = 0;
 };
 
 }  // namespace
@@ -182,11 +183,7 @@ Drawing draw(const Graph& graph, const Options& options) {
                                  options.first_jitter));
   }
   SideBySide output(graph);
-  for (const Component& component : components_of(graph)) {
-    output.add(component, options.effort == 0
-                              ? LayoutScale::always_enough(component.graph.num_vertices())
-                              : LayoutScale{options.first_jitter});
-  }
+  output.add_all(options.effort == 0 ? std::nullopt : std::optional(options.first_jitter));
   return output.finish();
 }
 

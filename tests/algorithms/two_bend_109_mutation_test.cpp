@@ -14,13 +14,14 @@ namespace ar3d::two_bend_109 {
 namespace {
 
 /// Places the graph after `change` has been applied to every vertex.
-std::optional<Placement> placed(
-    const Graph& graph, const std::function<void(Vertex, SlotArrangement&, Layout&)>& change) {
+bool placed(const Graph& graph,
+            const std::function<void(Vertex, SlotArrangement&, Layout&)>& change) {
   const std::vector<VertexPart> parts = find_partition(graph);
   SlotArrangement arrangement = arrange(graph, parts);
   Layout layout = lay_out(graph, parts, arrangement, {16});
   for (Vertex v = 0; v < graph.num_vertices(); ++v) change(v, arrangement, layout);
-  return place(graph, parts, arrangement, layout, 1);
+  Placement placement(graph.num_vertices());
+  return place(graph, parts, arrangement, layout, 1, testing::numbers(graph), placement);
 }
 
 bool is_three_down(const SlotArrangement& arrangement, Vertex v) {

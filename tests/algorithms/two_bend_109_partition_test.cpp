@@ -60,7 +60,7 @@ TEST(TwoBend109Partition, ListOfBodiesIsComplete) {
   EXPECT_EQ(found.size(), small_bodies().size());
 }
 
-bool is_induced_cycle(const Graph& graph, const std::vector<Vertex>& cycle) {
+bool is_induced_cycle(const Graph& graph, const PartVertices& cycle) {
   const std::size_t k = cycle.size();
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t j = 0; j < i; ++j) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,6 +49,13 @@ inline std::string two_bend_109_fault(const Graph& graph, const Drawing& drawing
 inline std::string two_bend_109_fault(const Graph& graph,
                                       const two_bend_109::Options& options = {}) {
   return two_bend_109_fault(graph, two_bend_109::draw(graph, options));
+}
+
+/// The names of the vertices of a connected graph within their component.
+inline std::vector<Vertex> numbers(const Graph& graph) {
+  std::vector<Vertex> names(graph.num_vertices());
+  std::iota(names.begin(), names.end(), Vertex{0});
+  return names;
 }
 
 inline std::int64_t count_109(const Drawing& drawing, const std::string& name) {
