@@ -42,9 +42,7 @@ class SideBySide {
         all_parts_(by_component(find_partition(graph), found_)),
         arrangement_(arrange(graph, all_parts_)),
         names_(graph.num_vertices()),
-        placement_(graph.num_vertices()),
-        at_(graph.num_vertices()),
-        bends_(graph.num_edges()) {
+        placement_(graph.num_vertices()) {
     for (const VertexPart& part : all_parts_) ++parts_[static_cast<std::size_t>(part.kind)];
   }
 
@@ -70,18 +68,24 @@ class SideBySide {
   }
 
   Drawing finish() const {
-    Coordinates vertices(at_.size(), largest_);
-    for (std::size_t v = 0; v < at_.size(); ++v) vertices.set(v, at_[v]);
+    const Vertex n = graph_.num_vertices();
+    Coordinates vertices(n, largest_);
     auto bends = std::make_shared<StoredBends>();
+    bends->reserve(graph_.num_edges(), std::size_t{2} * graph_.num_edges());
     std::vector<Point> two(2);
-    for (const auto& [at_u, at_v] : bends_) {
-      two[0] = at_u;
-      two[1] = at_v;
-      bends->add_edge(two);
+    std::vector<std::uint8_t> met(n);  // smaller neighbours, which come first
+    for (Vertex v = 0; v < n; ++v) {
+      vertices.set(v, placement_.at[v]);
+      for (std::size_t i = met[v]; i < graph_.degree(v); ++i) {
+        const Vertex to = graph_.incident(v)[i].to;
+        two[0] = placement_.ends[v][i];
+        two[1] = placement_.ends[to][met[to]++];
+        bends->add_edge(two);
+      }
     }
     Drawing drawing{"two-bend-109", kAxisLattice, std::move(vertices), graph_.shared_edges(),
                     std::move(bends)};
-    if (!at_.empty()) drawing.instance_bound = {bound_[0] - 1, bound_[1], bound_[2]};
+    if (n > 0) drawing.instance_bound = {bound_[0] - 1, bound_[1], bound_[2]};
     drawing.counters = {{"components", found_.count},
                         {"singles", parts_[0]},
                         {"cycles", parts_[1]},
@@ -145,12 +149,8 @@ class SideBySide {
     const Point low = box.low();
     const Vector shift{next_x_ - low.x, -low.y, -low.z};
     for (const Vertex v : vertices) {
-      at_[v] = placement_.at[v] + shift;
-      const auto incident = graph_.incident(v);
-      for (std::size_t i = 0; i < incident.size(); ++i) {
-        const auto [to, edge] = incident[i];
-        bends_[edge][v < to ? 0 : 1] = placement_.ends[v][i] + shift;
-      }
+      placement_.at[v] = placement_.at[v] + shift;
+      for (Point& end : placement_.ends[v]) end = end + shift;
     }
     next_x_ += box.high().x - low.x + 1;
     expect(next_x_ <= kMaxCoordinate, "x fits");
@@ -164,8 +164,6 @@ class SideBySide {
   std::vector<Vertex> names_;  ///< of the vertices within their components
   Layout layout_;
   Placement placement_;
-  std::vector<Point> at_;
-  std::vector<std::array<Point, 2>> bends_;
   std::int64_t next_x_ = 0;
   std::int64_t largest_ = 1;
   std::array<std::int64_t, 3> bound_{}, parts_{};  ///< parts by kind
