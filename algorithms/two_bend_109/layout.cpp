@@ -43,7 +43,7 @@ constexpr std::int64_t kLargest = std::int64_t{1} << 60;
 
 class LayoutMaker {
  public:
-  LayoutMaker(const Graph& graph, std::span<const VertexPart> parts,
+  LayoutMaker(const OrderedGraph& graph, std::span<const VertexPart> parts,
               const SlotArrangement& arrangement, LayoutScale scale, std::uint32_t first_slot,
               Layout before)
       : graph_(graph),
@@ -67,7 +67,8 @@ class LayoutMaker {
   std::int64_t checked(Int128 value, Vertex v) const {
     if (value > kLargest || value < -kLargest) {
       throw InputError(fmt::format(
-          "two-bend-109: a coordinate of vertex {} may pass 2^60, the graph is too large", v));
+          "two-bend-109: a coordinate of vertex {} may pass 2^60, the graph is too large",
+          graph_.names[v]));
     }
     return static_cast<std::int64_t>(value);
   }
@@ -113,7 +114,7 @@ class LayoutMaker {
     const Point p = made_.place[b];
     const Int128 dx = std::abs(at.x - p.x) + jitter + Int128{2} * kStubX;
     const Int128 dy = std::abs(at.y - p.y) + jitter + Int128{2} * kStubY;
-    const std::int64_t least = std::max(slope, arrangement_.stubs[b].up_slope);
+    const std::int64_t least = std::max(slope, stubs_by_number(arrangement_.stubs[b]).up_slope);
     return least * ((3 * dx + 5 * dy) / 2 + 1) + Int128{2} * kStubZ;
   }
 
@@ -123,10 +124,11 @@ class LayoutMaker {
       const Vector offset = offset_of(arrangement_.spot[v]);
       made_.place[v] = {checked(x_of(arrangement_.slot[v]), v) + offset.x, offset.y, 0};
       for (const HalfEdge& half : graph_.incident(v)) {
-        if (arrangement_.part[half.to] >= arrangement_.part[v]) continue;
+        if (half.to >= part.vertices[0]) continue;
         const Int128 least =
-            made_.place[half.to].z +
-            lift(half.to, made_.place[v], arrangement_.stubs[v].down_slope, made_.scale.jitter);
+            made_.place[half.to].z + lift(half.to, made_.place[v],
+                                          stubs_by_number(arrangement_.stubs[v]).down_slope,
+                                          made_.scale.jitter);
         base = std::max(base, least);
       }
     }
@@ -138,9 +140,9 @@ class LayoutMaker {
   }
 
   /// The leg's edge to an earlier part, if there is one.
-  const HalfEdge* edge_of(Vertex v) const {
+  const HalfEdge* edge_of(const VertexPart& part, Vertex v) const {
     for (const HalfEdge& half : graph_.incident(v)) {
-      if (arrangement_.part[half.to] < arrangement_.part[v]) return &half;
+      if (half.to < part.vertices[0]) return &half;
     }
     return nullptr;
   }
@@ -150,7 +152,7 @@ class LayoutMaker {
     const SmallBody& body = *part.body;
     Int128 low_x = kLargest, high_x = -kLargest;
     for (const SmallBody::BodyLeg& leg : body.legs) {
-      const HalfEdge* half = edge_of(part.vertices[leg.v]);
+      const HalfEdge* half = edge_of(part, part.vertices[leg.v]);
       if (half == nullptr) continue;
       low_x = std::min<Int128>(low_x, made_.place[half->to].x - leg.end.x);
       high_x = std::max<Int128>(high_x, made_.place[half->to].x - leg.end.x);
@@ -165,7 +167,7 @@ class LayoutMaker {
       height = std::max({height, link.bend_at_u.z, link.bend_at_v.z});
     }
     for (const SmallBody::BodyLeg& leg : body.legs) {
-      const HalfEdge* half = edge_of(part.vertices[leg.v]);
+      const HalfEdge* half = edge_of(part, part.vertices[leg.v]);
       if (half == nullptr) continue;
       const Point end{base.x + leg.end.x, leg.end.y, 0};
       z = std::max(z, made_.place[half->to].z +
@@ -179,7 +181,7 @@ class LayoutMaker {
     }
   }
 
-  const Graph& graph_;
+  const OrderedGraph& graph_;
   std::span<const VertexPart> parts_;
   const SlotArrangement& arrangement_;
   std::uint32_t first_slot_;
@@ -190,7 +192,7 @@ class LayoutMaker {
 
 }  // namespace
 
-Layout lay_out(const Graph& graph, std::span<const VertexPart> parts,
+Layout lay_out(const OrderedGraph& graph, std::span<const VertexPart> parts,
                const SlotArrangement& arrangement, LayoutScale scale, std::uint32_t first_slot,
                Layout before) {
   return LayoutMaker(graph, parts, arrangement, scale, first_slot, std::move(before)).run();

@@ -45,7 +45,7 @@ struct Layout {
 /// @param parts  of one component, whose slots begin with this one. The vertices of the others keep
 /// their places in `before`.
 /// @throws InputError naming a vertex whose coordinates may pass 2^60. O(size of the component).
-Layout lay_out(const Graph& graph, std::span<const VertexPart> parts,
+Layout lay_out(const OrderedGraph& graph, std::span<const VertexPart> parts,
                const SlotArrangement& arrangement, LayoutScale scale, std::uint32_t first_slot = 0,
                Layout before = {});
 

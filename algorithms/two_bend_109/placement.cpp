@@ -65,28 +65,28 @@ class SquareWalk {
 
 class VertexPlacer {
  public:
-  VertexPlacer(const Graph& graph, std::span<const VertexPart> parts,
+  VertexPlacer(const OrderedGraph& graph, std::span<const VertexPart> parts,
                const SlotArrangement& arrangement, const Layout& layout, Placement& made)
       : graph_(graph),
         parts_(parts),
         arrangement_(arrangement),
         layout_(layout),
         made_(made),
-        first_rank_(arrangement.rank[parts.front().vertices.front()]),
-        num_vertices_(arrangement.rank[parts.back().vertices.back()] + 1 - first_rank_),
-        first_part_(arrangement.part[parts.front().vertices.front()]),
+        first_vertex_(parts.front().vertices.front()),
+        num_vertices_(parts.back().vertices.back() + 1 - first_vertex_),
+        first_part_(arrangement.part[first_vertex_]),
         first_body_(parts.size()) {}
 
-  bool run(std::uint64_t seed, std::span<const Vertex> names, MeetingSearch& find) {
+  bool run(std::uint64_t seed, MeetingSearch& find) {
     walks_.reserve(num_vertices_);
     for (const VertexPart& part : parts_) {
       if (part.kind == PartKind::body) {
-        walks_.emplace_back(seed, names[part.vertices[0]], layout_.scale.body_jitter);
+        walks_.emplace_back(seed, graph_.numbers[part.vertices[0]], layout_.scale.body_jitter);
         --first_body_;
         continue;
       }
       for (const Vertex v : part.vertices) {
-        walks_.emplace_back(seed, names[v], layout_.scale.jitter);
+        walks_.emplace_back(seed, graph_.numbers[v], layout_.scale.jitter);
       }
     }
     // Those before the first that goes on never move again; so that one meets nothing older at the
@@ -111,7 +111,7 @@ class VertexPlacer {
   bool place_all() {
     legs_.assign(parts_.size() - first_body_, {});
     const std::size_t most = std::size_t{2} * num_vertices_;
-    drawn_.middles.reserve(std::min<std::size_t>(graph_.num_edges(), most));
+    drawn_.middles.reserve(std::min<std::size_t>(graph_.half_edges.size() / 2, most));
     drawn_.stubs.reserve(2 * most);
     owner_ = 0;
     for (const VertexPart& part : parts_) {
@@ -145,26 +145,24 @@ class VertexPlacer {
     return i;
   }
 
-  Vector stub(Vertex v, std::size_t i) const {
-    return arrangement_.stubs[v].ends[arrangement_.port[v][i]];
+  /// The stub of v that ends at the bend.
+  Vector stub(Vertex v, EdgeId bend) const {
+    return stubs_by_number(arrangement_.stubs[v]).ends[arrangement_.port[bend]];
   }
 
-  /// Adds those to vertices that come before v by this order.
-  void add_edges_down(Vertex v, const std::vector<std::uint32_t>& order,
-                      std::vector<NewEdge>& edges) const {
-    const auto incident = graph_.incident(v);
-    for (std::size_t i = 0; i < incident.size(); ++i) {
-      const Vertex w = incident[i].to;
-      if (order[w] >= order[v]) continue;
-      const std::size_t j = index_of(w, v);
-      edges.push_back(
-          {w, arrangement_.port[w][j], stub(w, j), made_.ends[w][j], arrangement_.port[v][i]});
+  /// Adds those to vertices below `first`.
+  void add_edges_down(Vertex v, Vertex first, std::vector<NewEdge>& edges) const {
+    for (const auto [w, bend] : graph_.incident(v)) {
+      if (w >= first) continue;
+      const Vector stub_below = stub(w, bend ^ 1);
+      edges.push_back({w, arrangement_.port[bend ^ 1], stub_below, made_.at[w] + stub_below,
+                       arrangement_.port[bend]});
     }
   }
 
   bool place_vertex(Vertex v) {
     edges_.clear();
-    add_edges_down(v, arrangement_.rank, edges_);
+    add_edges_down(v, v, edges_);
     if (!choose([&](Vector offset) { return fits(v, layout_.place[v] + offset, edges_); })) {
       return false;
     }
@@ -175,13 +173,17 @@ class VertexPlacer {
   /// Sets the place of v and its ends, and says whether it may stay there.
   bool fits(Vertex v, Point at, const std::vector<NewEdge>& edges) {
     made_.at[v] = at;
-    for (std::size_t i = 0; i < graph_.degree(v); ++i) made_.ends[v][i] = at + stub(v, i);
+    const auto incident = graph_.incident(v);
+    for (std::size_t i = 0; i < incident.size(); ++i) {
+      made_.ends[v][i] = at + stub(v, incident[i].edge);
+    }
     std::array<std::uint8_t, 4> ports = {0, 1, 2, 3};  // first those of the edges
     for (std::size_t i = 0; i < edges.size(); ++i) {
       std::swap(ports[i], *std::find(ports.begin(), ports.end(), edges[i].port));
     }
+    const std::array<Vector, 4>& stubs = stubs_by_number(arrangement_.stubs[v]).ends;
     std::array<LatticeSegment, 4> own;
-    for (std::size_t i = 0; i < 4; ++i) own[i] = {at, at + arrangement_.stubs[v].ends[ports[i]]};
+    for (std::size_t i = 0; i < 4; ++i) own[i] = {at, at + stubs[ports[i]]};
     return middles_fit(edges, own) && keeps_legs_apart(v);
   }
 
@@ -232,7 +234,7 @@ class VertexPlacer {
   }
 
   void commit(Vertex v, const std::vector<NewEdge>& edges) {
-    const std::array<Vector, 4>& stubs = arrangement_.stubs[v].ends;
+    const std::array<Vector, 4>& stubs = stubs_by_number(arrangement_.stubs[v]).ends;
     for (const Vector stub : stubs) add_stub({made_.at[v], made_.at[v] + stub});
     for (const NewEdge& edge : edges) add_middle(edge, made_.at[v] + stubs[edge.port]);
     const auto incident = graph_.incident(v);
@@ -247,7 +249,7 @@ class VertexPlacer {
   }
 
   void add_middle(const NewEdge& edge, Point to) {
-    const std::uint32_t below = arrangement_.rank[edge.below] - first_rank_;
+    const std::uint32_t below = edge.below - first_vertex_;
     drawn_.middles.push_back({{edge.from, to}, owner_, 4 * below + edge.port_below});
   }
 
@@ -256,7 +258,7 @@ class VertexPlacer {
     const std::vector<SmallBody::BodyLeg>& legs = part.body->legs;
     for (std::size_t leg = 0; leg < legs.size(); ++leg) {
       const std::size_t before = edges.size();
-      add_edges_down(part.vertices[legs[leg].v], arrangement_.part, edges);
+      add_edges_down(part.vertices[legs[leg].v], part.vertices[0], edges);
       for (std::size_t i = before; i < edges.size(); ++i) {
         edges[i].port = static_cast<std::uint8_t>(leg);
       }
@@ -311,13 +313,13 @@ class VertexPlacer {
     }
   }
 
-  const Graph& graph_;
+  const OrderedGraph& graph_;
   std::span<const VertexPart> parts_;
   const SlotArrangement& arrangement_;
   const Layout& layout_;
   Placement& made_;
-  std::uint32_t first_rank_, num_vertices_;  ///< of the component
-  std::size_t first_part_, first_body_;      ///< by index into all parts, into those here
+  Vertex first_vertex_, num_vertices_;   ///< of the component
+  std::size_t first_part_, first_body_;  ///< by index into all parts, into those here
   std::vector<SquareWalk> walks_;  ///< by owner: the vertices off bodies in their order, the bodies
   std::uint32_t owner_ = 0;        ///< who is placed now
   DrawnSegments drawn_;
@@ -329,10 +331,10 @@ class VertexPlacer {
 
 }  // namespace
 
-bool place(const Graph& graph, std::span<const VertexPart> parts,
+bool place(const OrderedGraph& graph, std::span<const VertexPart> parts,
            const SlotArrangement& arrangement, const Layout& layout, std::uint64_t seed,
-           std::span<const Vertex> names, Placement& made, MeetingSearch& find) {
-  return VertexPlacer(graph, parts, arrangement, layout, made).run(seed, names, find);
+           Placement& made, MeetingSearch& find) {
+  return VertexPlacer(graph, parts, arrangement, layout, made).run(seed, find);
 }
 
 }  // namespace ar3d::two_bend_109

@@ -27,10 +27,10 @@ using MeetingSearch = decltype(owners_that_meet);
 /// meets anything older, by Step E.4; false if some square is seen to be too small. At the scale
 /// LayoutScale::always_enough(n) none is (Lemma E.5). Takes O(n) and `find`, in each round.
 /// @param parts  of one component, of n vertices.
-/// @param names  of all vertices within their components: the choices depend on them and the seed.
+/// @param seed  on which the choices depend, and on the numbers within the component.
 /// @param made  has room for the graph, and nothing else in it changes.
-bool place(const Graph& graph, std::span<const VertexPart> parts,
+bool place(const OrderedGraph& graph, std::span<const VertexPart> parts,
            const SlotArrangement& arrangement, const Layout& layout, std::uint64_t seed,
-           std::span<const Vertex> names, Placement& made, MeetingSearch& find = owners_that_meet);
+           Placement& made, MeetingSearch& find = owners_that_meet);
 
 }  // namespace ar3d::two_bend_109

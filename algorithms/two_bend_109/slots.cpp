@@ -6,11 +6,41 @@
 
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
+#include <numeric>
 #include <tuple>
 
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_109 {
+
+OrderedGraph::OrderedGraph(const Graph& graph, std::vector<VertexPart> all_parts,
+                           const Components& components)
+    : parts(all_parts.size()), numbers(graph.num_vertices()), offsets{0} {
+  const auto component_of = [&](const VertexPart& part) { return components.of[part.vertices[0]]; };
+  std::vector<std::size_t> next(components.count + 1);
+  for (const VertexPart& part : all_parts) ++next[component_of(part) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (VertexPart& part : all_parts) parts[next[component_of(part)]++] = std::move(part);
+  std::vector<Vertex> place(graph.num_vertices());
+  names.reserve(graph.num_vertices());
+  for (VertexPart& part : parts) {
+    for (Vertex& v : part.vertices) {
+      place[v] = num_vertices();
+      names.push_back(v);
+      v = place[v];
+    }
+  }
+  std::vector<Vertex> seen(components.count);
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) numbers[place[v]] = seen[components.of[v]]++;
+  half_edges.reserve(std::size_t{2} * graph.num_edges());
+  offsets.reserve(names.size() + 1);
+  for (const Vertex v : names) {
+    for (const auto [to, edge] : graph.incident(v)) {
+      half_edges.push_back({place[to], 2 * edge + (v < to ? 0 : 1)});
+    }
+    offsets.push_back(static_cast<std::uint32_t>(half_edges.size()));
+  }
+}
 
 std::uint32_t SlotList::insert_after(std::uint32_t at) {
   constexpr std::int64_t kStep = std::int64_t{1} << 40;
@@ -56,21 +86,15 @@ namespace {
 /// Lays the parts out one after the other.
 class Arranger {
  public:
-  Arranger(const Graph& graph, const std::vector<VertexPart>& parts)
-      : graph_(graph), parts_(parts) {
+  explicit Arranger(const OrderedGraph& graph) : graph_(graph), parts_(graph.parts) {
     const std::size_t n = graph.num_vertices();
     made_.slot.assign(n, SlotList::kNone);
     made_.spot.resize(n);
-    made_.part.resize(n);
+    made_.part.reserve(n);
     made_.stubs.resize(n);
-    made_.port.resize(n);
-    made_.rank.resize(n);
-    std::uint32_t rank = 0;
-    for (std::uint32_t i = 0; i < parts.size(); ++i) {
-      for (const Vertex v : parts[i].vertices) {
-        made_.part[v] = i;
-        made_.rank[v] = rank++;
-      }
+    made_.port.resize(graph.half_edges.size());
+    for (std::uint32_t i = 0; i < parts_.size(); ++i) {
+      made_.part.insert(made_.part.end(), parts_[i].vertices.size(), i);
     }
   }
 
@@ -89,7 +113,7 @@ class Arranger {
   }
 
  private:
-  bool is_down(Vertex v, Vertex to) const { return made_.part[to] < made_.part[v]; }
+  bool is_down(Vertex v, Vertex to) const { return to < parts_[made_.part[v]].vertices[0]; }
 
   using Downs = boost::container::static_vector<Vertex, 4>;
 
@@ -98,9 +122,7 @@ class Arranger {
     Downs found;
     for (const HalfEdge& half : graph_.incident(v)) {
       if (!is_down(v, half.to)) continue;
-      found.insert(std::find_if(found.begin(), found.end(),
-                                [&](Vertex w) { return made_.rank[w] > made_.rank[half.to]; }),
-                   half.to);
+      found.insert(std::upper_bound(found.begin(), found.end(), half.to), half.to);
     }
     return found;
   }
@@ -143,11 +165,11 @@ class Arranger {
 
   void open_cycle(const PartVertices& cycle) {
     std::uint32_t at = list_.last();
-    std::uint32_t highest = 0;
+    Vertex highest = 0;
     for (const Vertex v : cycle) {
       for (const Vertex w : downs(v)) {
-        if (made_.rank[w] < highest) continue;
-        highest = made_.rank[w];
+        if (w < highest) continue;
+        highest = w;
         at = made_.slot[w];
       }
     }
@@ -188,9 +210,8 @@ class Arranger {
 
   /// The edge from v to w takes this stub.
   void use(Vertex v, Vertex w, std::uint8_t stub) {
-    const auto incident = graph_.incident(v);
-    for (std::size_t i = 0; i < incident.size(); ++i) {
-      if (incident[i].to == w) made_.port[v][i] = stub;
+    for (const HalfEdge& half : graph_.incident(v)) {
+      if (half.to == w) made_.port[half.edge] = stub;
     }
   }
 
@@ -202,19 +223,19 @@ class Arranger {
     }
     if (below.size() < 3) {
       expect(up <= 2, "a single with at most 2 earlier neighbours has at most 2 later ones");
-      made_.stubs[v] = stubs_of(Stance::middle, 0);
+      made_.stubs[v] = number_of_stubs(Stance::middle, 0);
       for (std::size_t i = 0; i < below.size(); ++i) {
         use(v, below[i], static_cast<std::uint8_t>(2 + i));
       }
       return;
     }
     expect(up <= 1, "a vertex with 3 earlier neighbours has at most one later one");
-    made_.stubs[v] = stubs_of(Stance::three_down, 3);
+    made_.stubs[v] = number_of_stubs(Stance::three_down, 3);
     if (made_.spot[v] != SlotSpot::middle) return stand_inside(v, below);
     const auto is_right = [&](Vertex w) { return made_.slot[w] > made_.slot[v]; };
     const auto rights = std::count_if(below.begin(), below.end(), is_right);
     expect(rights == 1 || rights == 2, "it stands between two of them");
-    if (rights == 2) made_.stubs[v] = mirrored(made_.stubs[v], true, false);
+    if (rights == 2) made_.stubs[v] = number_of_stubs(Stance::three_down, 3, true);
     std::uint8_t pair = 2;
     for (const Vertex w : below) {
       const bool is_alone = is_right(w) == (rights == 1);
@@ -237,7 +258,7 @@ class Arranger {
 
   void stand(Vertex v, Stance stance, bool in_x, bool in_y, Vertex first, Vertex second) {
     const Downs below = downs(v);
-    made_.stubs[v] = mirrored(stubs_of(stance, static_cast<unsigned>(below.size())), in_x, in_y);
+    made_.stubs[v] = number_of_stubs(stance, below.size(), in_x, in_y);
     // Of two edges down the steeper one leads to the lower vertex (Lemma E.5).
     std::uint8_t outer = 0;
     for (const HalfEdge& half : graph_.incident(v)) {
@@ -270,7 +291,7 @@ class Arranger {
     stand(c[2], Stance::triangle_upper, false, true, c[0], c[1]);
   }
 
-  const Graph& graph_;
+  const OrderedGraph& graph_;
   const std::vector<VertexPart>& parts_;
   SlotArrangement made_;
   SlotList list_;
@@ -281,8 +302,6 @@ class Arranger {
 
 }  // namespace
 
-SlotArrangement arrange(const Graph& graph, const std::vector<VertexPart>& parts) {
-  return Arranger(graph, parts).run();
-}
+SlotArrangement arrange(const OrderedGraph& graph) { return Arranger(graph).run(); }
 
 }  // namespace ar3d::two_bend_109

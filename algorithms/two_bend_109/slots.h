@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ar3d/algorithms/two_bend_109/partition.h"
@@ -9,6 +9,26 @@
 #include "ar3d/model/graph.h"
 
 namespace ar3d::two_bend_109 {
+
+/// A graph whose vertices are numbered upwards, part by part: what is drawn at about the same time
+/// then stands together in memory. The half-edges of a vertex are in the order of the graph's.
+struct OrderedGraph {
+  /// Component after component; in each, the parts have the order that they came in. O(n).
+  OrderedGraph(const Graph& graph, std::vector<VertexPart> all_parts, const Components& components);
+
+  Vertex num_vertices() const { return static_cast<Vertex>(names.size()); }
+  std::uint32_t degree(Vertex v) const { return offsets[v + 1] - offsets[v]; }
+  /// `edge` is 2 e for the smaller end of edge e by the names, 2 e + 1 for the other: the bend's.
+  std::span<const HalfEdge> incident(Vertex v) const {
+    return {half_edges.data() + offsets[v], half_edges.data() + offsets[v + 1]};
+  }
+
+  std::vector<VertexPart> parts;
+  std::vector<Vertex> names;    ///< of each vertex: its number in the graph
+  std::vector<Vertex> numbers;  ///< that among the vertices of its component
+  std::vector<std::uint32_t> offsets;
+  std::vector<HalfEdge> half_edges;
+};
 
 /// A list in which any two members can be compared.
 class SlotList {
@@ -53,14 +73,11 @@ struct SlotArrangement {
   std::vector<SlotSpot> spot;       ///< of each vertex
   std::vector<SlotKind> kind;       ///< of each slot, by place in the order
   std::vector<std::uint32_t> part;  ///< of each vertex: index into the parts
-  std::vector<std::uint32_t> rank;  ///< of each vertex in the parts' order, which is upwards
-  std::vector<Stubs> stubs;         ///< of each vertex
-  /// Entry i of a vertex: which stub its i-th incident edge takes.
-  std::vector<std::array<std::uint8_t, 4>> port;
+  std::vector<std::uint8_t> stubs;  ///< of each vertex: their number
+  std::vector<std::uint8_t> port;   ///< of each bend: which stub of its vertex it ends
 };
 
-/// @param parts  of the graph by component, bodies last in each; so are the slots. Cost: O(n) but
-/// for the list's.
-SlotArrangement arrange(const Graph& graph, const std::vector<VertexPart>& parts);
+/// The slots are by component, too. Cost: O(n) but for the list's.
+SlotArrangement arrange(const OrderedGraph& graph);
 
 }  // namespace ar3d::two_bend_109

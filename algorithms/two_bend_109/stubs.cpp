@@ -3,6 +3,8 @@
 // images give the other corners. Cost: O(1).
 #include "ar3d/algorithms/two_bend_109/stubs.h"
 
+#include <vector>
+
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_109 {
@@ -63,6 +65,18 @@ Stubs mirrored(Stubs stubs, bool in_x, bool in_y) {
     if (in_y) end.y = -end.y;
   }
   return stubs;
+}
+
+const Stubs& stubs_by_number(std::uint8_t number) {
+  static const std::vector<Stubs> all = [] {
+    std::vector<Stubs> made;
+    for (unsigned i = 0; i <= number_of_stubs(Stance::triangle_upper, 3, true, true); ++i) {
+      const Stubs stubs = stubs_of(static_cast<Stance>(i / 16), i / 4 % 4);
+      made.push_back(mirrored(stubs, i / 2 % 2 == 1, i % 2 == 1));
+    }
+    return made;
+  }();
+  return all[number];
 }
 
 }  // namespace ar3d::two_bend_109

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
-
 #include "ar3d/algorithms/two_bend_109/layout.h"
 #include "ar3d/algorithms/two_bend_109/partition.h"
 #include "ar3d/algorithms/two_bend_109/placement.h"
@@ -21,72 +19,47 @@ namespace {
 constexpr int kHighestEffort = 1;
 constexpr std::int64_t kMostJitter = std::int64_t{1} << 30;  // its square fits 64 bits
 
-/// Component after component, in each in the order that they have.
-std::vector<VertexPart> by_component(std::vector<VertexPart> parts, const Components& components) {
-  if (components.count <= 1) return parts;
-  const auto of = [&](const VertexPart& part) { return components.of[part.vertices[0]]; };
-  std::vector<std::size_t> next(components.count + 1);
-  for (const VertexPart& part : parts) ++next[of(part) + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<VertexPart> sorted(parts.size());
-  for (VertexPart& part : parts) sorted[next[of(part)]++] = std::move(part);
-  return sorted;
-}
-
 /// Draws component by component and collects them side by side.
 class SideBySide {
  public:
   explicit SideBySide(const Graph& graph)
       : graph_(graph),
-        found_(connected_components_of(graph)),
-        all_parts_(by_component(find_partition(graph), found_)),
-        arrangement_(arrange(graph, all_parts_)),
-        names_(graph.num_vertices()),
-        placement_(graph.num_vertices()) {
-    for (const VertexPart& part : all_parts_) ++parts_[static_cast<std::size_t>(part.kind)];
+        components_(connected_components_of(graph)),
+        order_(graph, find_partition(graph), components_),
+        arrangement_(arrange(order_)),
+        placement_(graph.num_vertices()),
+        bends_(std::size_t{2} * graph.num_edges()) {
+    for (const VertexPart& part : order_.parts) ++parts_[static_cast<std::size_t>(part.kind)];
   }
 
   /// Begins with this jitter in each component, or with the scale that is always enough.
   void add_all(std::optional<std::int64_t> first_jitter) {
-    std::vector<std::size_t> end(found_.count + 1);
-    for (const std::uint32_t component : found_.of) ++end[component + 1];
-    std::partial_sum(end.begin(), end.end(), end.begin());
-    const std::vector<std::size_t> begin = end;
-    std::vector<Vertex> vertices(graph_.num_vertices());  // by component
-    for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
-      std::size_t& place = end[found_.of[v]];
-      names_[v] = static_cast<Vertex>(place - begin[found_.of[v]]);
-      vertices[place++] = v;
-    }
-    std::span<const VertexPart> rest = all_parts_;
-    for (std::size_t i = 0; i < found_.count; ++i) {
-      std::size_t count = 0, seen = begin[i];
-      while (seen < begin[i + 1]) seen += rest[count++].vertices.size();
-      add(rest.first(count), {&vertices[begin[i]], begin[i + 1] - begin[i]}, first_jitter);
-      rest = rest.subspan(count);
+    const auto component_of = [&](const VertexPart& part) {
+      return components_.of[order_.names[part.vertices[0]]];
+    };
+    const std::span<const VertexPart> all = order_.parts;
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+      while (end < all.size() && component_of(all[end]) == component_of(all[begin])) ++end;
+      add(all.subspan(begin, end - begin), first_jitter);
     }
   }
 
   Drawing finish() const {
-    const Vertex n = graph_.num_vertices();
-    Coordinates vertices(n, largest_);
+    const auto& at = placement_.at;
+    Coordinates vertices(at.size(), largest_);
+    for (Vertex v = 0; v < at.size(); ++v) vertices.set(order_.names[v], at[v]);
     auto bends = std::make_shared<StoredBends>();
-    bends->reserve(graph_.num_edges(), std::size_t{2} * graph_.num_edges());
+    bends->reserve(graph_.num_edges(), bends_.size());
     std::vector<Point> two(2);
-    std::vector<std::uint8_t> met(n);  // smaller neighbours, which come first
-    for (Vertex v = 0; v < n; ++v) {
-      vertices.set(v, placement_.at[v]);
-      for (std::size_t i = met[v]; i < graph_.degree(v); ++i) {
-        const Vertex to = graph_.incident(v)[i].to;
-        two[0] = placement_.ends[v][i];
-        two[1] = placement_.ends[to][met[to]++];
-        bends->add_edge(two);
-      }
+    for (std::size_t bend = 0; bend < bends_.size(); bend += 2) {
+      two[0] = bends_[bend];
+      two[1] = bends_[bend + 1];
+      bends->add_edge(two);
     }
     Drawing drawing{"two-bend-109", kAxisLattice, std::move(vertices), graph_.shared_edges(),
                     std::move(bends)};
-    if (n > 0) drawing.instance_bound = {bound_[0] - 1, bound_[1], bound_[2]};
-    drawing.counters = {{"components", found_.count},
+    if (!at.empty()) drawing.instance_bound = {bound_[0] - 1, bound_[1], bound_[2]};
+    drawing.counters = {{"components", components_.count},
                         {"singles", parts_[0]},
                         {"cycles", parts_[1]},
                         {"bodies", parts_[2]},
@@ -97,73 +70,63 @@ class SideBySide {
   }
 
  private:
-  void add(std::span<const VertexPart> parts, std::span<const Vertex> vertices,
-           std::optional<std::int64_t> first_jitter) {
-    std::uint64_t half_edges = 0;
-    for (const Vertex v : vertices) half_edges += graph_.degree(v);
-    const std::uint64_t seed = mix_seed(vertices.size(), half_edges / 2);
+  void add(std::span<const VertexPart> parts, std::optional<std::int64_t> first_jitter) {
+    const Vertex begin = parts.front().vertices.front(), end = parts.back().vertices.back() + 1;
+    const Vertex size = end - begin;
+    const std::uint64_t seed = mix_seed(size, (order_.offsets[end] - order_.offsets[begin]) / 2);
     const std::uint32_t slot = layout_.end_slot;
-    const LayoutScale enough = LayoutScale::always_enough(vertices.size());
+    const LayoutScale enough = LayoutScale::always_enough(size);
     LayoutScale scale = first_jitter ? LayoutScale{*first_jitter} : enough;
-    for (;; scale = scale.next(vertices.size())) {
-      layout_ = lay_out(graph_, parts, arrangement_, scale, slot, std::move(layout_));
+    for (;; scale = scale.next(size)) {
+      layout_ = lay_out(order_, parts, arrangement_, scale, slot, std::move(layout_));
       const auto jitter = static_cast<std::uint64_t>(scale.jitter);
-      if (place(graph_, parts, arrangement_, layout_, mix_seed(seed, jitter), names_, placement_)) {
-        break;
-      }
+      if (place(order_, parts, arrangement_, layout_, mix_seed(seed, jitter), placement_)) break;
       expect(scale.jitter < enough.jitter, "there are more points than closed ones");
     }
     jitter_ = std::max(jitter_, scale.jitter);
-    add_bound(vertices);
-    add(vertices);
+    add(begin, end);
   }
 
-  /// Adds the extents of what is drawn over all choices of all vertices in their squares
-  /// (instance_bound): a bend moves with its vertex.
-  void add_bound(std::span<const Vertex> vertices) {
-    GrowingBox box;
-    for (const Vertex v : vertices) {
+  /// Adds what is drawn of these vertices, and to the bound the extents of that over all choices of
+  /// all vertices in their squares: a bend moves with its vertex.
+  void add(Vertex begin, Vertex end) {
+    GrowingBox box, of_choices;
+    for (Vertex v = begin; v < end; ++v) {
       const bool in_body = arrangement_.slot[v] == SlotList::kNone;
       const std::int64_t most = (in_body ? layout_.scale.body_jitter : layout_.scale.jitter) - 1;
+      const Vector to_place = layout_.place[v] - placement_.at[v];
       const auto add = [&](Point p) {
         box.add(p);
-        box.add(p + Vector{most, most, 0});
+        of_choices.add(p + to_place);
+        of_choices.add(p + to_place + Vector{most, most, 0});
       };
-      add(layout_.place[v]);
-      for (std::size_t i = 0; i < graph_.degree(v); ++i) {
-        add(layout_.place[v] + (placement_.ends[v][i] - placement_.at[v]));
+      add(placement_.at[v]);
+      for (std::size_t i = 0; i < order_.degree(v); ++i) add(placement_.ends[v][i]);
+    }
+    const Vector bound = of_choices.high() - of_choices.low(), size = box.high() - box.low();
+    bound_[0] += bound.x + 1;
+    bound_[1] = std::max(bound_[1], bound.y);
+    bound_[2] = std::max(bound_[2], bound.z);
+    const Vector shift{next_x_ - box.low().x, -box.low().y, -box.low().z};
+    for (Vertex v = begin; v < end; ++v) {
+      placement_.at[v] = placement_.at[v] + shift;
+      const auto incident = order_.incident(v);
+      for (std::size_t i = 0; i < incident.size(); ++i) {
+        bends_[incident[i].edge] = placement_.ends[v][i] + shift;
       }
     }
-    const Point low = box.low(), high = box.high();
-    bound_[0] += high.x - low.x + 1;
-    bound_[1] = std::max(bound_[1], high.y - low.y);
-    bound_[2] = std::max(bound_[2], high.z - low.z);
-  }
-
-  void add(std::span<const Vertex> vertices) {
-    GrowingBox box;
-    for (const Vertex v : vertices) {
-      box.add(placement_.at[v]);
-      for (std::size_t i = 0; i < graph_.degree(v); ++i) box.add(placement_.ends[v][i]);
-    }
-    const Point low = box.low();
-    const Vector shift{next_x_ - low.x, -low.y, -low.z};
-    for (const Vertex v : vertices) {
-      placement_.at[v] = placement_.at[v] + shift;
-      for (Point& end : placement_.ends[v]) end = end + shift;
-    }
-    next_x_ += box.high().x - low.x + 1;
+    next_x_ += size.x + 1;
     expect(next_x_ <= kMaxCoordinate, "x fits");
-    largest_ = std::max({largest_, next_x_, box.high().y - low.y, box.high().z - low.z});
+    largest_ = std::max({largest_, next_x_, size.y, size.z});
   }
 
   const Graph& graph_;
-  Components found_;
-  std::vector<VertexPart> all_parts_;
+  Components components_;
+  OrderedGraph order_;
   SlotArrangement arrangement_;
-  std::vector<Vertex> names_;  ///< of the vertices within their components
   Layout layout_;
   Placement placement_;
+  std::vector<Point> bends_;  ///< two of each edge
   std::int64_t next_x_ = 0;
   std::int64_t largest_ = 1;
   std::array<std::int64_t, 3> bound_{}, parts_{};  ///< parts by kind

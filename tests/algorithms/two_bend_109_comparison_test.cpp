@@ -40,13 +40,12 @@ Owners plain(const DrawnSegments& drawn, const DrawnSegments&) {
 
 /// How many points were tried, or -1 if some square is too small; equal both ways.
 std::int64_t tried_both_ways(const Graph& graph, LayoutScale scale) {
-  const auto parts = find_partition(graph);
-  const SlotArrangement arrangement = arrange(graph, parts);
-  const Layout layout = lay_out(graph, parts, arrangement, scale);
-  const std::vector<Vertex> names = testing::numbers(graph);
+  const OrderedGraph order = testing::ordered(graph);
+  const SlotArrangement arrangement = arrange(order);
+  const Layout layout = lay_out(order, order.parts, arrangement, scale);
   Placement fast(graph.num_vertices()), slow(graph.num_vertices());
-  const bool is_placed = place(graph, parts, arrangement, layout, 1, names, slow, plain);
-  EXPECT_EQ(place(graph, parts, arrangement, layout, 1, names, fast), is_placed);
+  const bool is_placed = place(order, order.parts, arrangement, layout, 1, slow, plain);
+  EXPECT_EQ(place(order, order.parts, arrangement, layout, 1, fast), is_placed);
   if (!is_placed) return -1;
   EXPECT_EQ(fast.at, slow.at);
   EXPECT_EQ(fast.ends, slow.ends);

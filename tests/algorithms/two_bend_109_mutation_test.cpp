@@ -16,16 +16,16 @@ namespace {
 /// Places the graph after `change` has been applied to every vertex.
 bool placed(const Graph& graph,
             const std::function<void(Vertex, SlotArrangement&, Layout&)>& change) {
-  const std::vector<VertexPart> parts = find_partition(graph);
-  SlotArrangement arrangement = arrange(graph, parts);
-  Layout layout = lay_out(graph, parts, arrangement, {16});
+  const OrderedGraph order = testing::ordered(graph);
+  SlotArrangement arrangement = arrange(order);
+  Layout layout = lay_out(order, order.parts, arrangement, {16});
   for (Vertex v = 0; v < graph.num_vertices(); ++v) change(v, arrangement, layout);
   Placement placement(graph.num_vertices());
-  return place(graph, parts, arrangement, layout, 1, testing::numbers(graph), placement);
+  return place(order, order.parts, arrangement, layout, 1, placement);
 }
 
 bool is_three_down(const SlotArrangement& arrangement, Vertex v) {
-  return arrangement.stubs[v].ends[0] == Vector{0, 0, 3};
+  return (arrangement.stubs[v] | 2) == number_of_stubs(Stance::three_down, 3, true);
 }
 
 TEST(TwoBend109Mutation, TurnsTooMuchWhenARuleIsBroken) {
@@ -44,12 +44,12 @@ TEST(TwoBend109Mutation, TurnsTooMuchWhenARuleIsBroken) {
   EXPECT_THROW(placed(random, stands_elsewhere), InternalError)
       << "three down must stand between its neighbours";
   const auto is_mirrored = [](Vertex v, SlotArrangement& a, const Layout&) {
-    if (is_three_down(a, v)) a.stubs[v] = mirrored(a.stubs[v], true, false);
+    if (is_three_down(a, v)) a.stubs[v] ^= 2;
   };
   EXPECT_THROW(placed(random, is_mirrored), InternalError)
       << "three down needs its lone stub on the side of one";
   const auto is_chain = [](Vertex v, SlotArrangement& a, const Layout&) {
-    if (a.spot[v] == SlotSpot::lower) a.stubs[v] = stubs_of(Stance::chain, 0);
+    if (a.spot[v] == SlotSpot::lower) a.stubs[v] = number_of_stubs(Stance::chain, 0);
   };
   EXPECT_THROW(placed(testing::cycle(8), is_chain), InternalError)
       << "corners of a cycle need their own stance";

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <memory>
-#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "ar3d/algorithms/two_bend_109/slots.h"
 #include "ar3d/algorithms/two_bend_109/two_bend_109.h"
 #include "ar3d/verify/certificate.h"
 
@@ -51,11 +51,8 @@ inline std::string two_bend_109_fault(const Graph& graph,
   return two_bend_109_fault(graph, two_bend_109::draw(graph, options));
 }
 
-/// The names of the vertices of a connected graph within their component.
-inline std::vector<Vertex> numbers(const Graph& graph) {
-  std::vector<Vertex> names(graph.num_vertices());
-  std::iota(names.begin(), names.end(), Vertex{0});
-  return names;
+inline two_bend_109::OrderedGraph ordered(const Graph& graph) {
+  return {graph, two_bend_109::find_partition(graph), connected_components_of(graph)};
 }
 
 inline std::int64_t count_109(const Drawing& drawing, const std::string& name) {

@@ -54,13 +54,13 @@ TEST(TwoBend109, RefusesJittersThatAreNoPowerOfTwo) {
 
 TEST(TwoBend109, CoordinatesThatMayPassTheRangeAreRefusedWithTheVertexNamed) {
   const Graph graph = generate(find_family("random-4-regular"), 1000, 1);
-  const auto parts = two_bend_109::find_partition(graph);
-  const auto arrangement = two_bend_109::arrange(graph, parts);
+  const auto order = ordered(graph);
+  const auto arrangement = two_bend_109::arrange(order);
   const std::string begin = "two-bend-109: a coordinate of vertex ";
   const std::string end = " may pass 2\\^60, the graph is too large";
   for (const int bits : {44, 55, 56}) {
     const two_bend_109::LayoutScale scale{std::int64_t{1} << bits};
-    EXPECT_THAT(problem([&] { two_bend_109::lay_out(graph, parts, arrangement, scale); }),
+    EXPECT_THAT(problem([&] { two_bend_109::lay_out(order, order.parts, arrangement, scale); }),
                 MatchesRegex(begin + "[0-9]+" + end));
   }
   // Behind 70,000 single vertices, so that the names are not those of the component.
