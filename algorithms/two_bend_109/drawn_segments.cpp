@@ -88,7 +88,7 @@ constexpr auto& add_coplanar_avx2 = add_coplanar;
 /// pass: heights are compared exactly, all else is widened by far more than the rounding errors.
 class SlabSweep {
  public:
-  SlabSweep(const std::vector<DrawnSegment>& middles, const std::vector<DrawnSegment>& stubs)
+  SlabSweep(const LongVector<DrawnSegment>& middles, const LongVector<DrawnSegment>& stubs)
       : middles_(middles), stubs_(stubs) {}
 
   /// Compares these with all others.
@@ -311,8 +311,8 @@ class SlabSweep {
   }
 
   static constexpr double kMargin = 0x1p-20;  // of a column, and of 1024 in y
-  const std::vector<DrawnSegment>& middles_;
-  const std::vector<DrawnSegment>& stubs_;  ///< by index behind the middles
+  const LongVector<DrawnSegment>& middles_;
+  const LongVector<DrawnSegment>& stubs_;  ///< by index behind the middles
   std::uint32_t columns_, rows_;
   GrowingBox box_;
   double per_x_, per_y_;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "ar3d/base/long_vector.h"
 #include "ar3d/model/lattice.h"
 
 namespace ar3d::two_bend_109 {
@@ -29,8 +30,8 @@ struct DrawnSegment {
 
 /// Everything that is drawn; in `stubs` also the segments of bodies, of which none meets a stub.
 struct DrawnSegments {
-  std::vector<DrawnSegment> middles;
-  std::vector<DrawnSegment> stubs;
+  LongVector<DrawnSegment> middles;
+  LongVector<DrawnSegment> stubs;
 };
 
 /// Returns, in order and each once, the later owners of all pairs that meet: two middles, or a

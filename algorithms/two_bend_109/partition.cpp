@@ -31,6 +31,7 @@ class Partitioner {
   }
 
   std::vector<VertexPart> run() {
+    parts_.reserve(at_.size());
     for (Vertex v = 0; v < at_.size(); ++v) note_degree(v);
     while (take_next()) {
     }

@@ -75,10 +75,9 @@ std::vector<std::uint32_t> SlotList::in_order() const {
 }
 
 void SlotList::spread_labels() {
+  const std::int64_t step = (std::int64_t{1} << 60) / size();
   std::int64_t label = 0;
-  for (std::uint32_t s = first_; s != kNone; s = after_[s]) {
-    label_[s] = label += (std::int64_t{1} << 60) / size();
-  }
+  for (std::uint32_t s = first_; s != kNone; s = after_[s]) label_[s] = label += step;
 }
 
 namespace {
