@@ -101,7 +101,7 @@ class SlabSweep {
       if (!is_few[i]) sorted_.push_back({line_of(segment(i).at), i, 0, 0});
     }
     separate_components();
-    for (std::size_t i = 0; i < few.size(); ++i) compare_run(i, sorted_.size());
+    for (std::size_t i = 0; i < few.size(); ++i) compare_run(i, i + 1, sorted_.size());
     compare_coplanar();
   }
 
@@ -119,26 +119,27 @@ class SlabSweep {
     per_y_ = 1024 / static_cast<double>(size.y + 1);
     divide_rows(std::max(share(kRows) - 1, 1u));
     divide_slabs(std::min(share(3 * kSlabs), share(kSlabs) + 8));
-    std::array<std::vector<ReachingSegment>, 2> active;  // middles, stubs
+    std::vector<ReachingSegment> active;  // middles
+    std::vector<std::uint32_t> stubs;
     for (std::size_t slab = 0; slab < bottom_.size(); ++slab) {
-      for (const std::uint32_t i : begins_[slab]) {
-        active[i < middles_.size() ? 0 : 1].push_back(started(i));
-      }
       const bool is_last = slab + 1 == bottom_.size();
       const std::int64_t top = is_last ? box_.high().z + 1 : bottom_[slab + 1];
       entries_.clear();
       end_of_cell_.assign(std::size_t{rows_} * columns_ + 2, 0);
-      for (auto& some : active) {
-        for (std::size_t i = 0; i < some.size();) {
-          enter(some[i], top);
-          if (some[i].high >= top) {
-            ++i;
-          } else {
-            some[i] = some.back();
-            some.pop_back();
-          }
+      for (const std::uint32_t i : begins_[slab]) {
+        i < middles_.size() ? active.push_back(started(i)) : stubs.push_back(i);
+      }
+      for (std::size_t i = 0; i < active.size();) {
+        enter(active[i], top);
+        if (active[i].high >= top) {
+          ++i;
+        } else {
+          active[i] = active.back();
+          active.pop_back();
         }
       }
+      for (const std::uint32_t i : stubs) enter_stub(i);
+      std::erase_if(stubs, [&](std::uint32_t i) { return segment(i).at.to.z < top; });
       compare_entries();
     }
   }
@@ -245,11 +246,27 @@ class SlabSweep {
       const double in = row_begin_[row] - kMargin - y0, out = row_begin_[row + 1] + kMargin - y0;
       const double from = is_flat || in <= 0 ? x0 : x0 + in * one.lean;
       const double to = is_flat || out >= y1 - y0 ? x1 : x0 + out * one.lean;
-      const std::uint32_t first = row * columns_ + cell(std::min(from, to) - kMargin);
-      const std::uint32_t last = row * columns_ + cell(std::max(from, to) + kMargin);
-      entries_.push_back({one.line, one.index, first, last});
-      ++end_of_cell_[first + 2];
+      enter_row(row, from, to, one.line, one.index);
     }
+  }
+
+  /// Enters its box, as it is short.
+  void enter_stub(std::uint32_t index) {
+    const auto& [p, q] = segment(index).at;
+    const auto [low, high] = std::minmax({height(p), height(q)});
+    const auto above = std::upper_bound(row_begin_.begin(), row_begin_.end(), low - kMargin);
+    auto row = static_cast<std::uint32_t>(above - row_begin_.begin()) - 1;
+    for (const LineModulo line = line_of({p, q}); row_begin_[row] <= high + kMargin; ++row) {
+      enter_row(row, column(p), column(q), line, index);
+    }
+  }
+
+  void enter_row(std::uint32_t row, double from, double to, const LineModulo& line,
+                 std::uint32_t index) {
+    const std::uint32_t first = row * columns_ + cell(std::min(from, to) - kMargin);
+    const std::uint32_t last = row * columns_ + cell(std::max(from, to) + kMargin);
+    entries_.push_back({line, index, first, last});
+    ++end_of_cell_[first + 2];
   }
 
   std::uint32_t cell(double x) const {
@@ -263,8 +280,11 @@ class SlabSweep {
     sorted_.resize(entries_.size());
     for (const CellEntry& entry : entries_) sorted_[end_of_cell_[entry.first + 1]++] = entry;
     separate_components();
-    for (std::size_t i = 0; i < sorted_.size(); ++i) {
-      compare_run(i, end_of_cell_[sorted_[i].last + 1]);
+    std::size_t middle = sorted_.size();  // the next one behind
+    for (std::size_t i = sorted_.size(); i-- > 0;) {
+      const bool is_middle = sorted_[i].index < middles_.size();
+      compare_run(i, is_middle ? i + 1 : middle, end_of_cell_[sorted_[i].last + 1]);
+      if (is_middle) middle = i;
     }
     compare_coplanar();
   }
@@ -277,16 +297,13 @@ class SlabSweep {
     }
   }
 
-  /// Entry i with those behind it.
-  void compare_run(std::size_t i, std::size_t end) {
+  /// Entry i with those from begin to end, which are behind it.
+  void compare_run(std::size_t i, std::size_t begin, std::size_t end) {
+    if (begin >= end) return;
     const CellEntry& one = sorted_[i];
-    const auto is_middle = [&](const CellEntry& entry) { return entry.index < middles_.size(); };
-    const auto begin = sorted_.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-    const auto stop = sorted_.begin() + static_cast<std::ptrdiff_t>(end);
-    if (is_middle(one) ? begin == stop : std::none_of(begin, stop, is_middle)) return;
     behind_.clear();
-    kHasAvx2 ? add_coplanar_avx2(one.line, lines_, i + 1, end, behind_)
-             : add_coplanar(one.line, lines_, i + 1, end, behind_);
+    kHasAvx2 ? add_coplanar_avx2(one.line, lines_, begin, end, behind_)
+             : add_coplanar(one.line, lines_, begin, end, behind_);
     for (const std::size_t j : behind_) {
       const auto [low, high] = std::minmax({one.index, sorted_[j].index});
       if (low < middles_.size()) coplanar_.emplace_back(low, high);
