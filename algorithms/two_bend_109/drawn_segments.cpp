@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numeric>
 
 #include "ar3d/model/drawing.h"
 
@@ -91,17 +90,18 @@ class SlabSweep {
   SlabSweep(const LongVector<DrawnSegment>& middles, const LongVector<DrawnSegment>& stubs)
       : middles_(middles), stubs_(stubs) {}
 
-  /// Compares these with all others.
+  /// Compares these with all, or all if there are none.
   void compare_few(const std::vector<std::uint32_t>& few) {
-    std::vector<bool> is_few(middles_.size() + stubs_.size());
-    sorted_.reserve(is_few.size());
-    for (const std::uint32_t i : few) is_few[i] = true;
-    for (const std::uint32_t i : few) sorted_.push_back({line_of(segment(i).at), i, 0, 0});
-    for (std::uint32_t i = 0; i < is_few.size(); ++i) {
-      if (!is_few[i]) sorted_.push_back({line_of(segment(i).at), i, 0, 0});
-    }
+    const auto all = static_cast<std::uint32_t>(middles_.size() + stubs_.size());
+    sorted_.reserve(few.size() + all);
+    const auto add = [&](std::uint32_t i) { sorted_.push_back({line_of(segment(i).at), i, 0, 0}); };
+    for (const std::uint32_t i : few) add(i);
+    for (std::uint32_t i = 0; i < all; ++i) add(i);
     separate_components();
-    for (std::size_t i = 0; i < few.size(); ++i) compare_run(i, i + 1, sorted_.size());
+    const std::size_t count = few.empty() ? middles_.size() : few.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      compare_run(i, few.empty() ? i + 1 : count, sorted_.size());
+    }
     compare_coplanar();
   }
 
@@ -352,20 +352,16 @@ std::vector<std::uint32_t> owners_that_meet(const DrawnSegments& drawn,
   constexpr std::size_t kSmall = 60;  // up to here slabs cost more than they save
   SlabSweep sweep(drawn.middles, drawn.stubs);
   std::vector<std::uint32_t> moved;
-  if (drawn.middles.size() <= kSmall) {
-    moved.resize(drawn.middles.size());
-    std::iota(moved.begin(), moved.end(), 0u);
-    sweep.compare_few(moved);
-    return sweep.found();
-  }
   const auto add_moved = [&](const auto& now, const auto& then, std::size_t first) {
     for (std::size_t i = 0; i < now.size(); ++i) {
       if (i < then.size() && now[i].at == then[i].at) continue;
       moved.push_back(static_cast<std::uint32_t>(first + i));
     }
   };
-  add_moved(drawn.middles, before.middles, 0);
-  add_moved(drawn.stubs, before.stubs, drawn.middles.size());
+  if (drawn.middles.size() > kSmall) {
+    add_moved(drawn.middles, before.middles, 0);
+    add_moved(drawn.stubs, before.stubs, drawn.middles.size());
+  }
   moved.size() * moved.size() < drawn.middles.size() ? sweep.compare_few(moved)
                                                      : sweep.compare_all();
   return sweep.found();

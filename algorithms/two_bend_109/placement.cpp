@@ -80,13 +80,11 @@ class VertexPlacer {
   bool run(std::uint64_t seed, MeetingSearch& find) {
     walks_.reserve(num_vertices_);
     for (const VertexPart& part : parts_) {
-      if (part.kind == PartKind::body) {
-        walks_.emplace_back(seed, graph_.numbers[part.vertices[0]], layout_.scale.body_jitter);
-        --first_body_;
-        continue;
-      }
-      for (const Vertex v : part.vertices) {
-        walks_.emplace_back(seed, graph_.numbers[v], layout_.scale.jitter);
+      const bool is_body = part.kind == PartKind::body;
+      if (is_body) --first_body_;
+      for (const Vertex v : owners_of(part)) {
+        walks_.emplace_back(seed, graph_.numbers[v],
+                            is_body ? layout_.scale.body_jitter : layout_.scale.jitter);
       }
     }
     // Those before the first that goes on never move again; so that one meets nothing older at the
@@ -107,6 +105,11 @@ class VertexPlacer {
   }
 
  private:
+  /// All of its vertices, of a body the first one.
+  static std::span<const Vertex> owners_of(const VertexPart& part) {
+    return {part.vertices.data(), part.kind == PartKind::body ? 1 : part.vertices.size()};
+  }
+
   /// True if each finds a point.
   bool place_all() {
     legs_.assign(parts_.size() - first_body_, {});
@@ -115,13 +118,8 @@ class VertexPlacer {
     drawn_.stubs.reserve(2 * most);
     owner_ = 0;
     for (const VertexPart& part : parts_) {
-      if (part.kind == PartKind::body) {
-        if (!place_body(part)) return false;
-        ++owner_;
-        continue;
-      }
-      for (const Vertex v : part.vertices) {
-        if (!place_vertex(v)) return false;
+      for (const Vertex v : owners_of(part)) {
+        if (!(part.kind == PartKind::body ? place_body(part) : place_vertex(v))) return false;
         ++owner_;
       }
     }
