@@ -43,7 +43,8 @@ class NarrowPlacer {
     }
   }
 
-  bool place(Vertex v) {
+  bool place(const std::vector<Vertex>& waiting) {
+    const Vertex v = waiting.back();
     ask_for_neighbours(v + kAhead);
     const JoinedVertex joined = joined_of(v);
     for (int tried = 0; tried < kNarrowTrials; tried += static_cast<int>(kCellsAtOnce)) {

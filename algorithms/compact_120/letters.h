@@ -43,17 +43,16 @@ struct Site {
 
 /// t and w of a site. Modulo 4 they are (0, 0) for N, (2, 2) for S, (2, 0) for T; the slant of a
 /// vertex, w + 5t/2, is 4 row + 2 (column mod 2) - 1, 0 or 1, so that a strip is level.
-inline std::int32_t t_of(Site s) {
-  constexpr std::array<std::int32_t, 3> kAcross = {0, 2, 2};
-  return 4 * s.column + kAcross[static_cast<std::size_t>(s.of)];
-}
+inline std::int32_t t_of(Site s) { return 4 * s.column + (s.of == Class::n ? 0 : 2); }
 inline std::int32_t w_of(Site s) {
-  constexpr std::array<std::int32_t, 3> kAlong = {0, -6, -4};
+  static constexpr std::array<std::int32_t, 3> kAlong = {0, -6, -4};
   return 4 * (s.row - 5 * s.column / 2) + kAlong[static_cast<std::size_t>(s.of)];
 }
 
 /// The slant w + 5t/2 of a site: an integer, as t is even.
-inline std::int32_t slant(Site s) { return w_of(s) + 5 * t_of(s) / 2; }
+inline std::int32_t slant(Site s) {
+  return 4 * s.row + 2 * (s.column & 1) + (s.of == Class::t ? 1 : 0) - (s.of == Class::s ? 1 : 0);
+}
 
 /// The vertex at a site: (t, w, -5t - w, 4t), in the plane 5 x0 + x1 + x2 = 0.
 inline Quad quad_of(Site s) {

@@ -85,9 +85,7 @@ class Sweeper {
   /// rows are copied, so that all but the first pass read them forwards.
   /// @return the vertices that moved, and their neighbours.
   const std::vector<Vertex>& repair(const std::vector<Vertex>& vertices) {
-    is_repairing_ = true;
-    for (const Vertex v : touched_) state_[v] = static_cast<std::uint8_t>(state_[v] & ~kTouched);
-    touched_.clear();
+    touch_ = kTouched;
     UnwrittenVector<PaddedRow> rows;
     rows.reserve(4 * vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -107,6 +105,14 @@ class Sweeper {
     for (int sweep = 0; sweep < kSweepsOfRepair; ++sweep) {
       for_each(rows, [&](const PaddedRow& row) { improve(row); });
     }
+    touched_.resize(state_.size());
+    std::size_t count = 0;
+    for (Vertex v = 0; v < state_.size(); ++v) {
+      touched_[count] = v;
+      count += (state_[v] & kTouched) != 0 ? 1 : 0;
+      state_[v] = static_cast<std::uint8_t>(state_[v] & ~kTouched);
+    }
+    touched_.resize(count);
     return touched_;
   }
 
@@ -159,47 +165,37 @@ class Sweeper {
       left += kBeyond[level_of(state)];
     }
     if ((state_[row.v] & kDegree3) != 0) extremes += is_0_or_3(left);
-    unsigned best = own;
-    unsigned fewest = extremes >> 4 * own & 15;
+    // The least number wins: few extremes, then late among levels from a random one on, the own one
+    // last. Without branches on what is random.
     const unsigned first = random_level();
-    for (unsigned i = 0; i < kLevels; ++i) {
-      const unsigned level = (first + i) % kLevels;
-      const unsigned found = extremes >> 4 * level & 15;
-      const bool better = (used >> level & 1) == 0 && found <= fewest;
-      best = better ? level : best;
-      fewest = better ? found : fewest;
+    unsigned best = (extremes >> 4 * own & 15) << 5 | 7u << 2 | own;
+    for (unsigned level = 0; level < kLevels; ++level) {
+      const unsigned number = (extremes >> 4 * level & 15) << 5 | (first - level - 1) % kLevels
+                                                                      << 2;
+      best = std::min(best, number | level | (used >> level & 1) << 16);
     }
-    move(row, best);
+    move(row, level_of(best));
   }
 
   void move(const PaddedRow& row, unsigned level) {
     const unsigned own = level_of(state_[row.v]);
-    if (level == own) return;
+    const unsigned touched = level == own ? 0 : touch_;
     unsigned left = 0;
     for (const HalfEdge& edge : row.edges()) {
       std::uint8_t& state = state_[edge.to];
       const unsigned other = level_of(state);
       const unsigned more = (level < other ? 1u : 0u) - (own < other ? 1u : 0u);
-      state = static_cast<std::uint8_t>(state + more * kOneLeft);
+      state = static_cast<std::uint8_t>((state + more * kOneLeft) | touched);
       left += other < level ? 1 : 0;
     }
     state_[row.v] = static_cast<std::uint8_t>((state_[row.v] & (kDegree3 | kTouched)) | level |
-                                              left * kOneLeft);
-    if (!is_repairing_) return;
-    touch(row.v);
-    for (const HalfEdge& edge : row.edges()) touch(edge.to);
-  }
-
-  void touch(Vertex v) {
-    if ((state_[v] & kTouched) != 0) return;
-    state_[v] = static_cast<std::uint8_t>(state_[v] | kTouched);
-    touched_.push_back(v);
+                                              left * kOneLeft | touched);
   }
 
   const UnwrittenVector<PaddedRow>& rows_;
   strips::NumbersAhead random_;
   LongVector<std::uint8_t> state_;  ///< by vertex
-  bool is_repairing_ = false;
+  unsigned touch_ = 0;              ///< kTouched in repairs
   std::vector<Vertex> touched_;
 };
 

@@ -28,25 +28,38 @@ class OrderedPlacer {
  public:
   OrderedPlacer(Strip& strip, const NarrowOrder& order, strips::NumbersAhead& random,
                 Census& census)
-      : strip_(strip), order_(order), random_(random), census_(census) {
+      : strip_(strip), random_(random), census_(census) {
+    std::array<std::int64_t, 102> before{};  // by position, the vertices of N before it
+    kinds_.reserve(order.position.size());
     for (std::size_t v = 0; v < order.position.size(); ++v) {
-      if (order.links.of[v] == Class::n) ++before_[order.position[v] + 1u];
+      const auto of = static_cast<std::uint8_t>(order.links.of[v]);
+      if (of == 0) ++before[order.position[v] + 1u];
+      kinds_.push_back(of == 0 ? order.position[v] : static_cast<std::uint8_t>(kLastPosition + of));
     }
-    std::partial_sum(before_.begin(), before_.end(), before_.begin());
+    std::partial_sum(before.begin(), before.end(), before.begin());
+    for (std::size_t kind = 0; kind < homes_.size(); ++kind) {
+      const bool is_empty = kind <= kLastPosition && before[kind] == before[kind + 1];
+      if (!is_empty) homes_[kind] = home(kind, before);
+    }
   }
 
-  bool place(Vertex v) {
-    strip_.ask_for_neighbours(v + kAhead);
+  bool place(const std::vector<Vertex>& waiting) {
+    const auto after = [&](std::size_t i) {
+      return waiting[waiting.size() - std::min(waiting.size(), i + 1)];
+    };
+    strip_.ask_for_edges(after(2 * kAhead));
+    strip_.ask_for_neighbours(after(kAhead));
+    const Vertex v = waiting.back();
     const auto [left, right] = columns_for(v);
     if (left > right) {
-      strip_.ask_for_edges_of_neighbours(v);
+      ask_for_ejection(v);
       return false;
     }
     for (int trial = 0; trial < kTrials; ++trial) {
-      if (trial == kTrials / 3) strip_.ask_for_edges_of_neighbours(v);
+      if (trial == kTrials / 3) ask_for_ejection(v);
       if (trial == 2 * kTrials / 3) strip_.ask_for_removal_of_neighbours(v);
       ++census_.trials;
-      Site site{pick(left, right), 0, strip_.links().of[v]};
+      Site site{pick(left, right), 0, class_of(v)};
       const auto [low, high] = rows_for(v, site);
       if (low > high) continue;
       site.row = pick(low, high);
@@ -73,34 +86,40 @@ class OrderedPlacer {
   void remove(Vertex v) { strip_.remove(v); }
 
  private:
+  void ask_for_ejection(Vertex v) const {
+    strip_.ask_for_edges_of_neighbours(v);
+    for (const ArmLink& link : strip_.links().at[v]) {
+      if (link.is_set()) __builtin_prefetch(&kinds_[link.to]);
+    }
+  }
+
   std::int32_t pick(std::int32_t low, std::int32_t high) {
     return low +
            static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(high - low + 1)));
   }
 
-  /// The columns where v belongs: of class N those that hold as many vertices of N as have its
-  /// position, and a margin, so that rare positions have room; the ends of the strip for sources
-  /// and sinks.
-  SiteRange home(Vertex v) const {
+  Class class_of(Vertex v) const {
+    return kinds_[v] > kLastPosition ? static_cast<Class>(kinds_[v] - kLastPosition) : Class::n;
+  }
+
+  /// The columns where vertices of a kind belong: of class N those that hold as many vertices of N
+  /// as have their position, and a margin, so that rare positions have room; the ends of the strip
+  /// for sources and sinks.
+  SiteRange home(std::size_t kind, const std::array<std::int64_t, 102>& before) const {
     const std::int32_t columns = strip_.size().columns;
-    const Class of = strip_.links().of[v];
     const std::int32_t share = kSourceShare * columns / 100;
-    if (of == Class::s) return {0, share};
-    if (of == Class::t) return {columns - 1 - share, columns - 1};
-    const auto column = [&](std::int64_t before) {
-      return static_cast<std::int32_t>(columns * before / std::max<std::int64_t>(before_[101], 1));
-    };
-    const std::size_t position = order_.position[v];
-    const std::int32_t low = column(before_[position]);
-    const std::int32_t high = column(before_[position + 1]);
+    if (kind == kLastPosition + 1) return {0, share};
+    if (kind == kLastPosition + 2) return {columns - 1 - share, columns - 1};
+    const auto low = static_cast<std::int32_t>(columns * before[kind] / before.back());
+    const auto high = static_cast<std::int32_t>(columns * before[kind + 1] / before.back());
     const std::int32_t margin =
         std::max(kMargin * columns / 100, (kLeastShare * columns / 100 - (high - low)) / 2);
     return {std::max(low - margin, 0), std::min(high + margin, columns - 1)};
   }
 
-  /// Returns those of them that the placed neighbours leave.
+  /// The columns where v belongs that its placed neighbours leave.
   SiteRange columns_for(Vertex v) const {
-    auto [low, high] = home(v);
+    auto [low, high] = homes_[kinds_[v]];
     for (const ArmLink& link : strip_.links().at[v]) {
       if (!link.is_set() || !strip_.is_placed(link.to)) continue;
       const std::int32_t at = strip_.site(link.to).column;
@@ -141,16 +160,16 @@ class OrderedPlacer {
     return {quotient_down(low - base + 3, 4), quotient_down(high - base, 4)};
   }
 
-  static constexpr Vertex kAhead = 8;
+  static constexpr std::size_t kAhead = 8;
   static constexpr std::int32_t kMargin = 2;        ///< hundredths of the strip
   static constexpr std::int32_t kLeastShare = 40;   ///< hundredths of the strip
   static constexpr std::int32_t kSourceShare = 60;  ///< hundredths of the strip
 
-  /// By position, the vertices of N before it.
-  std::array<std::int64_t, 102> before_{};
+  static constexpr unsigned kLastPosition = 100;
 
   Strip& strip_;
-  const NarrowOrder& order_;
+  LongVector<std::uint8_t> kinds_;  ///< by vertex: of N its position, else kLastPosition + class
+  std::array<SiteRange, 103> homes_{};  ///< by kind
   strips::NumbersAhead& random_;
   Census& census_;
 };

@@ -104,7 +104,6 @@ void Strip::remove(Vertex v) {
 }
 
 void Strip::ask_for_neighbours(Vertex v) const {
-  if (v >= sites_.size()) return;
   for (const ArmLink& link : links_->at[v]) {
     if (link.is_set()) __builtin_prefetch(&sites_[link.to]);
   }

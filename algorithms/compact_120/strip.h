@@ -70,6 +70,7 @@ class Strip {
 
   // Ask the memory for what is going to be read, without waiting: the places of the neighbours of
   // v; the edges of its neighbours; what remove() of a neighbour reads of these.
+  void ask_for_edges(Vertex v) const { __builtin_prefetch(&links_->at[v]); }
   void ask_for_neighbours(Vertex v) const;
   void ask_for_edges_of_neighbours(Vertex v) const;
   void ask_for_removal_of_neighbours(Vertex v) const;

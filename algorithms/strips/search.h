@@ -58,7 +58,8 @@ using FewVertices = boost::container::static_vector<Vertex, 4>;
 
 /// Greedy search with ejections, as in cuckoo hashing (Pagh and Rodler 2001): a vertex that finds
 /// no place ejects one of its placed neighbours, which is placed again next.
-/// @param placer  place(v): true if v found a place; placed_neighbours(v); remove(v).
+/// @param placer  place(waiting): true if the last of them found a place; placed_neighbours(v);
+/// remove(v).
 /// @param waiting  a stack of vertices, the first one last.
 /// @param ejections  how often a vertex may be taken away.
 /// @param random  a RandomStream or NumbersAhead.
@@ -68,7 +69,7 @@ bool place_with_ejections(Placer& placer, std::vector<Vertex> waiting, std::int6
                           Random& random, Census& census) {
   while (!waiting.empty()) {
     const Vertex v = waiting.back();
-    if (placer.place(v)) {
+    if (placer.place(waiting)) {
       waiting.pop_back();
       continue;
     }

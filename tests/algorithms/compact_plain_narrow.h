@@ -28,7 +28,8 @@ class PlainPlacer {
         random_(random),
         census_(census) {}
 
-  bool place(Vertex v) {
+  bool place(const std::vector<Vertex>& waiting) {
+    const Vertex v = waiting.back();
     const auto [low, high] = columns_for(v);
     for (int trial = 0; trial < kNarrowTrials; ++trial) {
       ++census_.trials;
