@@ -129,16 +129,9 @@ class SlabSweep {
       for (const std::uint32_t i : begins_[slab]) {
         i < middles_.size() ? active.push_back(started(i)) : stubs.push_back(i);
       }
-      for (std::size_t i = 0; i < active.size();) {
-        enter(active[i], top);
-        if (active[i].high >= top) {
-          ++i;
-        } else {
-          active[i] = active.back();
-          active.pop_back();
-        }
-      }
+      for (ReachingSegment& one : active) enter(one, top);
       for (const std::uint32_t i : stubs) enter_stub(i);
+      std::erase_if(active, [&](const ReachingSegment& one) { return one.high < top; });
       std::erase_if(stubs, [&](std::uint32_t i) { return segment(i).at.to.z < top; });
       compare_entries();
     }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -208,9 +209,7 @@ class Partitioner {
     });
     expect(beside != cycle.end(), "the cycle touches every piece");
     std::vector<Vertex> allowed = dead;
-    for (const Vertex v : cycle) {
-      if (v != *beside) allowed.push_back(v);
-    }
+    std::remove_copy(cycle.begin(), cycle.end(), std::back_inserter(allowed), *beside);
     std::sort(allowed.begin(), allowed.end());
     return first_cycle(dead.front(), [&](Vertex v) {
       return std::binary_search(allowed.begin(), allowed.end(), v);
