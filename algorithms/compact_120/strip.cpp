@@ -1,7 +1,6 @@
 // Places vertices and routes their edges while (a) to (e) hold, which by Lemma D.6 is all that a
-// right drawing needs. Cheap refusals (side) come before lines are looked up. O(1) expected
-// per cell tried: at most three pieces of contested lines, which never overlap each other (Lemma
-// D.7).
+// right drawing needs; (a) follows from (b). O(1) expected per cell tried: at most three pieces of
+// contested lines, which never overlap each other (Lemma D.7).
 #include "ar3d/algorithms/compact_120/strip.h"
 
 #include <bit>
@@ -55,12 +54,6 @@ void Strip::ask_for_line(const ArmLink& link, const Quad& own) const {
 bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
   if (!free_.is_free(site)) return false;
   const std::array<ArmLink, 3>& links = links_->at[v];
-  const std::int32_t t = t_of(site);
-  for (const ArmLink& link : links) {
-    if (!link.is_set() || !is_placed(link.to)) continue;
-    const std::int32_t other_t = t_of(sites_[link.to]);
-    if (link.is_right != 0 ? other_t <= t : other_t >= t) return false;
-  }
   const Quad own = quad_of(site);
   for (const ArmLink& link : links) {
     if (link.is_set() && is_placed(link.to)) ask_for_line(link, own);
@@ -71,13 +64,15 @@ bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
   return true;
 }
 
-bool Strip::fits(Vertex v, Site site) const {
+bool Strip::fits(Vertex v, Site site) {
+  erase_leaving();
   Plan plan;
   return make_plan(v, site, plan);
 }
 
 bool Strip::try_place(Vertex v, Site site) {
   Plan plan;
+  erase_leaving();
   if (!make_plan(v, site, plan)) return false;
   sites_[v] = site;
   free_.flip(site);
@@ -88,17 +83,21 @@ bool Strip::try_place(Vertex v, Site site) {
   return true;
 }
 
+void Strip::erase_leaving() {
+  for (const Piece& piece : leaving_) lines_.erase(piece);
+  leaving_.clear();
+}
+
 void Strip::remove(Vertex v) {
   expect(!whole_lines_, "vertices are removed only where edges take pieces");
+  erase_leaving();
   const Quad own = quad_of(sites_[v]);
-  std::array<Piece, 3> pieces;
-  std::size_t count = 0;
   for (const ArmLink& link : links_->at[v]) {
     if (!link.is_set() || !is_placed(link.to)) continue;
-    pieces[count] = route_of(link, variant_[link.edge], own, quad_of(sites_[link.to])).middle();
-    lines_.ask_for(pieces[count++].line);
+    const Route route = route_of(link, variant_[link.edge], own, quad_of(sites_[link.to]));
+    leaving_.push_back(route.middle());
+    lines_.ask_for(leaving_.back().line);
   }
-  for (std::size_t i = 0; i < count; ++i) lines_.erase(pieces[i]);
   free_.flip(sites_[v]);
   sites_[v] = {};
 }

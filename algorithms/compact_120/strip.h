@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <vector>
 
@@ -61,7 +62,7 @@ class Strip {
   Strip(const Links& links, std::size_t num_edges, StripSize size, bool whole_lines);
 
   /// True if v can be placed there. O(1) expected.
-  bool fits(Vertex v, Site site) const;
+  bool fits(Vertex v, Site site);
   /// Places v if that keeps the invariants; routes its edges to placed neighbours in the first
   /// variants that fit. O(1) expected.
   bool try_place(Vertex v, Site site);
@@ -99,6 +100,7 @@ class Strip {
     std::size_t count = 0;
   };
 
+  void erase_leaving();
   bool make_plan(Vertex v, Site site, Plan& plan) const;
   bool plan_edge(const ArmLink& link, const Quad& own, Plan& plan) const;
   void ask_for_line(const ArmLink& link, const Quad& own) const;
@@ -110,8 +112,9 @@ class Strip {
   std::vector<std::uint8_t> variant_;
   FreePlaces free_;
   strips::Lines lines_;
-  std::int32_t top_right_;  ///< of Route::top, edges to the right
-  std::int32_t top_left_;   ///< the same for edges to the left
+  boost::container::static_vector<Piece, 3> leaving_;  ///< to be erased, when they have come
+  std::int32_t top_right_;                             ///< of Route::top, edges to the right
+  std::int32_t top_left_;                              ///< the same for edges to the left
 };
 
 }  // namespace ar3d::compact_120
