@@ -16,7 +16,7 @@ namespace {
 
 // Slabs and rows per square root of the number of middles: measured to be fast, as are the columns,
 // for random 4-regular graphs of 10^3 to 10^6 vertices and for tori.
-constexpr double kSlabs = 0.1, kRows = 0.03;
+constexpr double kSlabs = 0.07, kRows = 0.045;
 
 /// The line through a segment modulo 2^16: direction u and moment p x u. Two lines meet only if
 /// u1 m2 + u2 m1 = 0, so also modulo 2^16.
@@ -117,7 +117,7 @@ class SlabSweep {
     const Vector size = box_.high() - box_.low();
     per_x_ = columns_ / static_cast<double>(size.x + 1);
     per_y_ = 1024 / static_cast<double>(size.y + 1);
-    divide_rows(std::max(share(kRows) - 1, 1u));
+    divide_rows(std::max(share(kRows), 3u) - 2);
     divide_slabs(std::min(share(3 * kSlabs), share(kSlabs) + 8));
     std::vector<ReachingSegment> active;  // middles
     std::vector<std::uint32_t> stubs;

@@ -121,6 +121,7 @@ class LayoutMaker {
   void raise(const VertexPart& part) {
     Int128 base = Int128{top_} + kStep;
     for (const Vertex v : part.vertices) {
+      graph_.prefetch_neighbours(v + kAhead, made_.place.data());
       const Vector offset = offset_of(arrangement_.spot[v]);
       made_.place[v] = {checked(x_of(arrangement_.slot[v]), v) + offset.x, offset.y, 0};
       for (const HalfEdge& half : graph_.incident(v)) {

@@ -159,6 +159,7 @@ class VertexPlacer {
   }
 
   bool place_vertex(Vertex v) {
+    graph_.prefetch_neighbours(v + kAhead, made_.at.data());
     edges_.clear();
     add_edges_down(v, v, edges_);
     if (!choose([&](Vector offset) { return fits(v, layout_.place[v] + offset, edges_); })) {

@@ -10,6 +10,9 @@
 
 namespace ar3d::two_bend_109 {
 
+/// Says how many vertices ahead entries of neighbours are asked for.
+inline constexpr Vertex kAhead = 8;
+
 /// A graph whose vertices are numbered upwards, part by part: what is drawn at about the same time
 /// then stands together in memory. The half-edges of a vertex are in the order of the graph's.
 struct OrderedGraph {
@@ -18,6 +21,12 @@ struct OrderedGraph {
 
   Vertex num_vertices() const { return static_cast<Vertex>(names.size()); }
   std::uint32_t degree(Vertex v) const { return offsets[v + 1] - offsets[v]; }
+  /// Asks for these entries of the neighbours of a vertex that will soon be gone through, if any.
+  template <class T>
+  void prefetch_neighbours(Vertex v, const T* entries) const {
+    if (v >= num_vertices()) return;
+    for (const HalfEdge& half : incident(v)) __builtin_prefetch(&entries[half.to]);
+  }
   /// `edge` is 2 e for the smaller end of edge e by the names, 2 e + 1 for the other: the bend's.
   std::span<const HalfEdge> incident(Vertex v) const {
     return {half_edges.data() + offsets[v], half_edges.data() + offsets[v + 1]};

@@ -126,7 +126,7 @@ class SideBySide {
   SlotArrangement arrangement_;
   Layout layout_;
   Placement placement_;
-  std::vector<Point> bends_;  ///< two of each edge
+  UnwrittenVector<Point> bends_;  ///< two of each edge
   std::int64_t next_x_ = 0;
   std::int64_t largest_ = 1;
   std::array<std::int64_t, 3> bound_{}, parts_{};  ///< parts by kind
