@@ -50,8 +50,8 @@ Stubs mirrored(Stubs stubs, bool in_x, bool in_y);
 /// Numbers all that stubs_of() and mirrored() may give: a vertex keeps one byte.
 inline std::uint8_t number_of_stubs(Stance stance, std::size_t downs, bool in_x = false,
                                     bool in_y = false) {
-  return static_cast<std::uint8_t>(16 * static_cast<unsigned>(stance) + 4 * downs + (in_x ? 2 : 0) +
-                                   (in_y ? 1 : 0));
+  return static_cast<std::uint8_t>(16 * static_cast<std::size_t>(stance) + 4 * downs +
+                                   (in_x ? 2 : 0) + (in_y ? 1 : 0));
 }
 const Stubs& stubs_by_number(std::uint8_t number);
 
