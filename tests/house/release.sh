@@ -12,5 +12,5 @@ rm no-commit
 tools/release "$scratch/first"
 tools/release "$scratch/second" >/dev/null
 diff "$scratch/first/SHA256SUMS" "$scratch/second/SHA256SUMS"
-(cd "$scratch/first" && sha256sum --check --quiet SHA256SUMS && grep -q '^### Drawings' ar3d-*-notes.md)
+(cd "$scratch/first" && sha256sum --check --quiet SHA256SUMS && grep -q '^- Ten algorithms' ar3d-*-notes.md)
 tools/try-packages "$scratch/first"
