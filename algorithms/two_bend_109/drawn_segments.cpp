@@ -90,7 +90,7 @@ class SlabSweep {
   SlabSweep(const LongVector<DrawnSegment>& middles, const LongVector<DrawnSegment>& stubs)
       : middles_(middles), stubs_(stubs) {}
 
-  /// Compares these with all, or all if there are none.
+  /// Compares these with all others, or all with all if none is named.
   void compare_few(const std::vector<std::uint32_t>& few) {
     const auto all = static_cast<std::uint32_t>(middles_.size() + stubs_.size());
     sorted_.reserve(few.size() + all);
@@ -243,7 +243,7 @@ class SlabSweep {
     }
   }
 
-  /// Enters its box, as it is short.
+  /// Enters the whole box of a stub, which is short.
   void enter_stub(std::uint32_t index) {
     const auto& [p, q] = segment(index).at;
     const auto [low, high] = std::minmax({height(p), height(q)});
