@@ -15,7 +15,7 @@ if [ -n "$prove" ]; then
   if grep -nE 'Admitted|admit|Axiom|Parameter|Conjecture|Unset|bypass_check' ./*.v; then
     echo "build.sh: something is taken for granted" >&2; exit 1
   fi
-  for file in Spec Checker Geometry Edges OneBend Sound Complete Wrong OneBendNeeded Extract; do coqc -Q . Drawing "$file.v"; done
+  for file in Spec Checker Geometry Edges OneBend OneBendOnFaces Sound Complete Wrong OneBendNeeded Extract; do coqc -Q . Drawing "$file.v"; done
   coqc -Q . Drawing Assumptions.v | tee assumptions.txt
   axioms='ClassicalDedekindReals\.sig_(not|forall)_dec|FunctionalExtensionality\.functional_extensionality_dep'
   if grep -vnE "^(Axioms:|($axioms)( :.*)?| .*)\$" assumptions.txt; then

@@ -102,7 +102,41 @@ class SmallDrawings(Program):
             self.expect(search + bad, 2, err="usage: small_drawings")
 
 
+class FaceDrawings(Program):
+    """Drawings of cubic graphs along face diagonals with two bends per edge."""
+    script = f"/usr/bin/python3 {FOLDER}/face_lengths.py"
+
+    def test_one_bend_does_not_suffice_for_k4_and_two_do(self):
+        self.assertEqual(answer("C~", "--bends 1", "face_lengths.py"), "unsat")
+        self.expect(f"{self.script} C~ --draw | ar3d verify - --algorithm grid", out="1 certified, 0 violated")
+
+    def test_are_certified_and_serve_each_direction(self):
+        self.expect(f"ar3d verify {FOLDER}/face_drawings.jsonl --algorithm grid", out="112 certified, 0 violated")
+        for drawing in map(json.loads, read(f"{FOLDER}/face_drawings.jsonl").splitlines()):
+            served = set()
+            for u, v, bends in drawing["edges"]:
+                self.assertLessEqual(len(bends), 2)
+                corners = [drawing["vertices"][u], *bends, drawing["vertices"][v]]
+                steps = [between(a, b) for a, b in itertools.pairwise(corners)]
+                if len(steps) == 3:
+                    served |= {(axis, first > 0) for axis, (first, level, last) in enumerate(zip(*steps, strict=True))
+                               if level == 0 and first * last < 0}
+            self.assertEqual(len(served), 6)
+
+    def test_what_is_no_cubic_graph_is_refused(self):
+        for bad in ("'D~{'", "''", "C", "'~~'", "'C~~'"):
+            self.assertNotEqual(self.expect(f"{self.script} {bad}", 1).err, "")
+
+
 class OpenQuestionsLong(Program):
+    def test_no_graph_of_at_most_8_vertices_has_one_bend_on_faces(self):
+        for graph in run("for n in 6 8; do nauty-geng -cq -d3 -D3 $n; done").out.split():
+            self.assertEqual(answer(graph, "--bends 1", "face_lengths.py"), "unsat")
+
+    def test_the_search_draws_the_graphs_of_6_vertices_on_faces(self):
+        for graph in ("EFz_", "EUxo"):
+            self.expect(f"/usr/bin/python3 {FOLDER}/face_lengths.py {graph} --draw | ar3d verify - --algorithm grid", out="1 certified")
+
     def test_the_octahedron_has_no_lattice_drawing_by_the_second_formula(self):
         self.assertEqual(answer(OCTAHEDRON, script="lattice_lengths.py"), "unsat")  # 29 s of CPU time
 

@@ -24,7 +24,7 @@ if code:
     raise SystemExit(f"exit code {code}\n{said}")
 theorems = said.split("Axioms:\n")[1:]
 wanted = (source / "Assumptions.v").read_text().count("Print Assumptions")
-if len(theorems) != wanted or wanted < 4:
+if len(theorems) != wanted or wanted < 6:
     raise SystemExit(f"{len(theorems)} lists of axioms, {wanted} wanted:\n{said}")
 for theorem in theorems:
     lines = [line for line in theorem.splitlines() if not line.startswith(" ")]
