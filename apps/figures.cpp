@@ -29,6 +29,7 @@ struct FiguresArguments {
   std::string format = "pdf";
   std::vector<std::pair<std::string, std::string>> passed_on = {{"--algorithms", ""},
                                                                 {"--families", ""},
+                                                                {"--over", ""},
                                                                 {"--width", ""},
                                                                 {"--font-size", ""},
                                                                 {"--style", ""}};
@@ -106,11 +107,13 @@ void add_figures(CLI::App& app, int& exit_code) {
                    "folder of the figures QUANTITY.FORMAT, and of tables.json, which they show")
       ->required();
   verb->add_option("--quantity", arguments->quantity,
-                   "side, x, y, z, volume, time, trade, profile, precision, scaling; several with "
-                   "commas between");
+                   "side, x, y, z, volume, bends, time, share, trade, profile, precision, scaling; "
+                   "several with commas between");
   constexpr const char* kHelp[] = {
       "algorithms, or settings such as 'diamond (effort=1)', with commas between; all if left out",
-      "a line for each of these families instead of a band over all", "of a figure: 84mm, 3.3in",
+      "a line for each of these families instead of a band over all",
+      "divides quantities that grow with n by n to this power, such as 1.5",
+      "of a figure: 84mm, 3.3in",
       "in points; 8 if left out", "a style sheet of matplotlib: a name or a file"};
   for (std::size_t i = 0; i < arguments->passed_on.size(); ++i) {
     auto& [option, value] = arguments->passed_on[i];

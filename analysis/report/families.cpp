@@ -153,6 +153,25 @@ void add_bends(TableMaker& make) {
   }
 }
 
+/// The bends per edge of the graphs of every curve and n that have edges.
+void add_bends_by_n(TableMaker& make) {
+  Table& table = make.table("bends_by_n");
+  for (std::size_t i = 0; i < make.sections.size(); ++i) {
+    for (const SectionCurve& curve : make.sections[i].shown) {
+      for (const auto& [n, size] : curve.tally->sizes) {
+        std::vector<double> bends;
+        for (const DrawnGraph& graph : size.graphs) {
+          const double per_edge = bends_of(graph) / static_cast<double>(graph.m);
+          if (graph.m > 0 && !std::isnan(per_edge)) bends.push_back(per_edge);
+        }
+        if (bends.empty()) continue;
+        const auto [least, largest] = std::ranges::minmax(bends);
+        table.add({i, curve.place, n, bends.size(), least, median(bends), largest});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void fill_bounds(const StudyAnalysis& analysis, const std::vector<Section>& sections,
@@ -206,6 +225,7 @@ void add_families(TableMaker& make) {
   fill_growth(make.analysis, make.sections, make.table("growth"));
   add_shares(make);
   add_bends(make);
+  add_bends_by_n(make);
 }
 
 }  // namespace ar3d::report
