@@ -86,7 +86,8 @@ class Folder:
         self.kernels = program.parents[1] / "bench" / "kernels"
         for name in ("ar3d_limits", "ar3d_kernels"):
             (path / "bin" / name).symlink_to(self.kernels / name)
-        (path / "bin" / "ar3d_proved").symlink_to(program.parents[1] / "proof" / "ar3d_proved")
+        for proved in ("ar3d_proved", "ar3d_unsatisfiable"):
+            (path / "bin" / proved).symlink_to(program.parents[1] / "proof" / proved)
         self.package = program.parents[1] / "python"
         self.environment = dict(os.environ, PATH=f"{path}/bin:" + os.environ["PATH"], PYTHONPATH=str(self.package))
 
