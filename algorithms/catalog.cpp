@@ -13,6 +13,7 @@
 #include "ar3d/algorithms/lattice/lattice.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/algorithms/two_bend_109/two_bend_109.h"
+#include "ar3d/algorithms/two_bend_120/two_bend_120.h"
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
@@ -32,6 +33,7 @@ std::vector<Algorithm> catalogue() {
       compact::row(),
       compact_120::row(),
       two_bend_109::row(),
+      two_bend_120::row(),
       two_bend_paper::row(),
       grid_paper::row(),
       lattice::row_109(),

@@ -1,0 +1,276 @@
+// Two bends at 120 degrees along face diagonals (docs/two-bend-120.md), component by component: triangles
+// contracted, numbering, orders, places, words, and triangles drawn inside their vertices again
+// (Lemma F.8). Cores without a numbering come from a table. Cost: O(n log n) and Step F.3.
+#include "ar3d/algorithms/two_bend_120/two_bend_120.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ar3d/algorithms/two_bend_120/placement.h"
+#include "ar3d/base/error.h"
+
+namespace ar3d::two_bend_120 {
+namespace {
+
+constexpr std::uint32_t kMostVertices = 1u << 29;  // coordinates are then below 2^60
+
+Vector grid_direction(Direction d) { return to_grid(to_four(d)); }
+
+/// A component of what is left when triangles are contracted, its vertices renamed in the order of
+/// a breadth-first search.
+struct Core {
+  CubicGraph graph;
+  std::vector<Vertex> nodes;  ///< per vertex: the node of the contraction
+  Reach reach;
+};
+
+/// Draws the cores one by one and collects the points of the whole graph.
+class Painter {
+ public:
+  Painter(const Graph& graph, const Nests& contraction)
+      : graph_(graph),
+        contraction_(contraction),
+        name_(contraction.nodes.size(), kNoVertex),
+        at_(contraction.nodes.size()),
+        stars_(contraction.nodes.size()),
+        bends_(graph.num_edges()) {}
+
+  void draw_all() {
+    for (const Vertex node : contraction_.left) {
+      if (name_[node] == kNoVertex) draw(core_from(node));
+    }
+  }
+
+  Drawing finish() const {
+    Coordinates vertices(graph_.num_vertices(), std::max<std::int64_t>(largest_, 1));
+    for (Vertex v = 0; v < graph_.num_vertices(); ++v) vertices.set(v, at_[v]);
+    auto bends = std::make_shared<StoredBends>();
+    bends->reserve(graph_.num_edges(), std::size_t{2} * graph_.num_edges());
+    for (const auto& line : bends_) bends->add_edge(line);
+    Drawing drawing{"two-bend-120", kCubeLattice, std::move(vertices), graph_.shared_edges(),
+                    std::move(bends)};
+    drawing.counters = {{"components", components_},
+                        {"core", static_cast<std::int64_t>(contraction_.left.size())},
+                        {"small_cores", small_}};
+    return drawing;
+  }
+
+ private:
+  Core core_from(Vertex first) {
+    Core core;
+    core.nodes.push_back(first);
+    name_[first] = 0;
+    for (std::size_t i = 0; i < core.nodes.size(); ++i) {
+      const Nests::Nest& node = contraction_.nodes[core.nodes[i]];
+      std::array<HalfEdge, 3> near{};
+      for (std::size_t slot = 0; slot < 3; ++slot) {
+        const Edge ends = contraction_.ends[node.edges[slot]];
+        const Vertex other = ends.u == core.nodes[i] ? ends.v : ends.u;
+        if (name_[other] == kNoVertex) {
+          name_[other] = static_cast<Vertex>(core.nodes.size());
+          core.nodes.push_back(other);
+        }
+        near[slot] = {name_[other], node.edges[slot]};
+      }
+      core.graph.push_back(near);
+      core.reach.push_back(node.reach);
+    }
+    return core;
+  }
+
+  void draw(const Core& core) {
+    ++components_;
+    if (const auto numbering = find_numbering(core.graph)) {
+      draw_by_orders(core, *numbering);
+    } else {
+      draw_from_table(core);
+    }
+    std::vector<Vertex> points = core.nodes;  // of the drawing so far, then of the input
+    std::vector<EdgeId> edges;
+    for (Vertex v = 0; v < core.graph.size(); ++v) {
+      for (const HalfEdge& half : core.graph[v]) {
+        if (v < half.to) edges.push_back(half.edge);
+      }
+    }
+    open_triangles(points, edges);
+    stand_beside(points, edges);
+  }
+
+  /// Steps F.4, F.5 and F.6.
+  void draw_by_orders(const Core& core, const ForkOrder& numbering) {
+    const Orders orders = find_orders(core.graph, numbering);
+    const ForkPlaces placement = place(core.graph, numbering, orders, core.reach);
+    for (Vertex v = 0; v < core.graph.size(); ++v) {
+      const Vector at = to_grid(placement.at[v]);
+      at_[core.nodes[v]] = Point{} + at;
+      for (std::size_t i = 0; i < 3; ++i) {
+        stars_[core.nodes[v]][i] = grid_direction(placement.stars[v][i]);
+      }
+    }
+    for (const Vertex v : numbering.order) {
+      for (const HalfEdge& half : core.graph[v]) {
+        // Upwards, so that each edge is drawn once.
+        const FourVector& from = placement.at[v];
+        const FourVector& to = placement.at[half.to];
+        if (from[3] < to[3]) continue;
+        FourVector sum{};
+        for (std::size_t i = 0; i < 4; ++i) sum[i] = to[i] - from[i];
+        const auto star = [&](Vertex w) {
+          return placement.stars[w][slot_of(core.graph[w], half.edge)];
+        };
+        set_word(half.edge, core.nodes[v], find_word(star(v), -star(half.to), sum));
+      }
+    }
+  }
+
+  /// @param from  the node at which the word begins.
+  void set_word(EdgeId edge, Vertex from, const EdgeWord& word) {
+    std::vector<Point> bends;
+    Point p = at_[from];
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (word.lengths[i] == 0) continue;
+      p = p + word.lengths[i] * grid_direction(word.directions[i]);
+      bends.push_back(p);
+    }
+    set_bends(edge, from, std::move(bends));
+  }
+
+  void set_bends(EdgeId edge, Vertex from, std::vector<Point> bends) {
+    if (contraction_.ends[edge].u != from) std::reverse(bends.begin(), bends.end());
+    bends_[edge] = std::move(bends);
+  }
+
+  void draw_from_table(const Core& core);
+  void open_triangles(std::vector<Vertex>& points, std::vector<EdgeId>& edges);
+  void stand_beside(const std::vector<Vertex>& points, const std::vector<EdgeId>& edges);
+
+  const Graph& graph_;
+  const Nests& contraction_;
+  std::vector<Vertex> name_;  // per node: its name in its core
+  std::vector<Point> at_;     // per node, as the next one
+  std::vector<std::array<Vector, 3>> stars_;
+  std::vector<std::vector<Point>> bends_;  // per edge, from its end u
+  std::int64_t components_ = 0, small_ = 0, largest_ = 0, next_x_ = 0;
+};
+
+/// Lemma F.7: the table's drawing of the core, scaled so that the drawings of all its vertices fit.
+void Painter::draw_from_table(const Core& core) {
+  ++small_;
+  std::uint32_t reach = 1;
+  for (const auto& each : core.reach) reach = std::max({reach, each[0], each[1], each[2]});
+  const std::int64_t scale = reach == 1 ? 1 : 2 * std::int64_t{reach};
+  const auto scaled = [&](Point p) { return Point{scale * p.x, scale * p.y, scale * p.z}; };
+  const SmallCore small = small_core_of(core.graph);
+  for (Vertex v = 0; v < small.at.size(); ++v) at_[core.nodes[v]] = scaled(small.at[v]);
+  for (const auto& [u, v, bends] : small.lines) {
+    std::size_t slot = 0;
+    while (core.graph[u][slot].to != v) ++slot;
+    const EdgeId edge = core.graph[u][slot].edge;
+    std::vector<Point> line;
+    for (const Point p : bends) line.push_back(scaled(p));
+    const Point first = bends.empty() ? small.at[v] : bends.front();
+    const Point last = bends.empty() ? small.at[u] : bends.back();
+    stars_[core.nodes[u]][slot] = primitive(first - small.at[u]);
+    stars_[core.nodes[v]][slot_of(core.graph[v], edge)] = primitive(last - small.at[v]);
+    set_bends(edge, core.nodes[u], std::move(line));
+  }
+}
+
+/// Step F.7: corner i of a triangle stands on its edge i, at the greatest reach of the other two in
+/// that direction; the side of corners i and j has one bend, at the sum of both steps.
+void Painter::open_triangles(std::vector<Vertex>& points, std::vector<EdgeId>& edges) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    while (points[i] >= graph_.num_vertices()) {
+      const Vertex whole = points[i];
+      const Nests::Nest& node = contraction_.nodes[whole];
+      std::array<Vector, 3> steps;
+      const auto side_of = [&](std::size_t j, std::size_t k) {
+        for (const EdgeId e : contraction_.nodes[node.corners[j]].edges) {
+          const auto& others = contraction_.nodes[node.corners[k]].edges;
+          if (std::find(others.begin(), others.end(), e) != others.end()) return e;
+        }
+        throw InternalError("internal error: two corners of a triangle share an edge");
+      };
+      const auto slot = [&](std::size_t corner, EdgeId e) {
+        const auto& own = contraction_.nodes[node.corners[corner]].edges;
+        return static_cast<std::size_t>(std::find(own.begin(), own.end(), e) - own.begin());
+      };
+      for (std::size_t j = 0; j < 3; ++j) {
+        std::int64_t length = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (k == j) continue;
+          const auto& other = contraction_.nodes[node.corners[k]];
+          length = std::max<std::int64_t>(length, other.reach[slot(k, side_of(j, k))]);
+        }
+        steps[j] = length * stars_[whole][j];
+      }
+      for (std::size_t j = 0; j < 3; ++j) {
+        const Vertex corner = node.corners[j];
+        at_[corner] = at_[whole] + steps[j];
+        stars_[corner][slot(j, node.edges[j])] = stars_[whole][j];
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (k == j) continue;
+          const EdgeId side = side_of(j, k);
+          stars_[corner][slot(j, side)] = stars_[whole][k];
+          if (j < k) {
+            bends_[side] = {at_[whole] + steps[j] + steps[k]};
+            edges.push_back(side);
+          }
+        }
+      }
+      points[i] = node.corners[0];
+      points.push_back(node.corners[1]);
+      points.push_back(node.corners[2]);
+    }
+  }
+}
+
+/// Moves what was drawn to where x is free and the other coordinates begin at 0.
+void Painter::stand_beside(const std::vector<Vertex>& points, const std::vector<EdgeId>& edges) {
+  GrowingBox box;
+  for (const Vertex v : points) box.add(at_[v]);
+  for (const EdgeId e : edges) {
+    for (const Point p : bends_[e]) box.add(p);
+  }
+  const Vector shift = Point{next_x_, 0, 0} - box.low(), size = box.high() - box.low();
+  for (const Vertex v : points) at_[v] = at_[v] + shift;
+  for (const EdgeId e : edges) {
+    for (Point& p : bends_[e]) p = p + shift;
+  }
+  next_x_ += size.x + 1;
+  largest_ = std::max({largest_, next_x_, size.y, size.z});
+}
+
+}  // namespace
+
+Drawing draw(const Graph& graph) {
+  refuse_larger_degrees("two-bend-120", graph, 3);
+  refuse_more_vertices("two-bend-120", graph, kMostVertices);
+  refuse_small_cuts(graph);
+  const Nests contraction = contract_triangles(graph);
+  Painter painter(graph, contraction);
+  painter.draw_all();
+  return painter.finish();
+}
+
+Algorithm row() {
+  Algorithm row;
+  row.name = "two-bend-120";
+  row.summary =
+      "cubic and 3-connected components, at most 2 bends per edge, 120 degrees along face "
+      "diagonals, in a box of O(n^2) x O(n^2) x O(n)";
+  row.source = "the paper's third open question";
+  row.by_name_only = true;
+  row.guarantee.max_degree = 3;
+  row.guarantee.max_bends = 2;
+  row.guarantee.cosine = {-1, 2};
+  row.guarantee.lattice = kCubeLattice;
+  row.guarantee.directions = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}};
+  row.guarantee.bound = {"proved here",
+                         "docs/two-bend-120.md",
+                         {quadratic(3) + 30, quadratic(3) + 30, linear(21) + 8}};
+  row.draw = [](const Graph& graph, const Settings&) { return draw(graph); };
+  return row;
+}
+
+}  // namespace ar3d::two_bend_120
