@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,16 +13,18 @@
 
 namespace ar3d {
 
-/// An algorithm: a pure function Graph -> Drawing beside what its theorem promises.
+/// An algorithm: a pure function Graph -> Drawing beside what its theorem promises. A program that
+/// draws is one, too.
 struct Algorithm {
   std::string name;
   std::string summary;  ///< one sentence
   std::string source;   ///< theorem of the paper
   Guarantee guarantee;
   std::vector<SettingSpec> options;
-  Drawing (*draw)(const Graph&,
-                  const Settings&) = nullptr;  ///< called with complete values, see draw()
-  bool by_name_only = false;                   ///< "all" in a study does not mean it
+  std::function<Drawing(const Graph&, const Settings&)> draw;  ///< with complete values: draw()
+  bool by_name_only = false;  ///< "all" in a study does not mean it
+  bool is_foreign = false;    ///< a program of somebody else draws: what it answers is not trusted
+  bool is_judged = true;      ///< false: it promises nothing, its drawings are only measured
 };
 
 /// The values with every default filled in, in the order of algorithm.options.

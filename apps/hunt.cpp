@@ -161,7 +161,6 @@ Subject subject_of(const HuntArguments& arguments) {
   const StudySpec spec = arguments.study.empty() ? StudySpec() : load_study(arguments.study);
   Subject subject;
   subject.choice = algorithm_choice(spec, arguments.algorithm, parse_settings(arguments.settings));
-  if (subject.choice.program) subject.drawer = std::make_shared<ExternalDrawer>();
   if (!arguments.seeded_fault.empty()) subject.fault = &find_seeded_fault(arguments.seeded_fault);
   const auto at = std::ranges::find(kMeasures, arguments.measure);
   subject.measure = static_cast<BoundShare>(at - std::begin(kMeasures));
@@ -252,6 +251,7 @@ int hunt_and_show(HuntArguments arguments) {
   if (!arguments.row.empty()) of_row = graph_of_row(arguments);
   sort_settings(arguments);
   const Subject subject = subject_of(arguments);
+  const ExternalDrawer programs;
   arguments.hunting.families = chosen_families(arguments, *subject.choice.algorithm, of_row);
   const HuntResult result = hunt(subject, arguments.hunting, [](const HuntResult& so_far) {
     note(stderr, "{:>8} graphs: {:.4f} from {}\n", so_far.evaluations, so_far.best.ratio,
@@ -284,6 +284,7 @@ int shrink_and_show(HuntArguments arguments) {
                           ? read_graph(arguments.inputs[0], arguments.reading.read_options())
                           : graph_of_row(arguments);
   const Subject subject = subject_of(arguments);
+  const ExternalDrawer programs;
   const Trial whole = try_graph(subject, graph);
   const bool keeps_failure = !arguments.ratio;
   if (keeps_failure && whole.failure.empty()) {

@@ -64,10 +64,8 @@ SinceReference since_committed(const RowView& rows) {
 std::optional<Drawing> drawn_again(const RunRecord& row, const StudyOrigin& origin) {
   if (row.n > kMostVertices) return {};  // whatever the file says of its edges
   try {
-    const PlannedInstance instance = plan_of_row(row, origin);
-    const AlgorithmChoice& choice = instance.runs.front().choice;
-    if (choice.program) return {};  // a program of somebody else is not run for a page
-    Drawing drawing = draw(*choice.algorithm, graph_of(instance), choice.options);
+    find_algorithm(row.algorithm);  // a program of somebody else is not run for a page
+    Drawing drawing = redrawn(row, origin);
     if (drawing_hash(drawing) != row.drawing_hash) return {};
     return drawing;
   } catch (const InputError&) {

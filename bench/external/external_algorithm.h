@@ -16,11 +16,14 @@ using SettingChoices = std::pair<std::string, std::vector<std::int64_t>>;
 
 /// Is a program that draws graphs: a row of the catalogue whose drawings another process makes.
 struct ExternalAlgorithm {
-  /// Holds name, options and guarantee; without a guarantee no degree is refused and no verdict
-  /// given.
+  ExternalAlgorithm() = default;
+  ExternalAlgorithm(const ExternalAlgorithm&) = delete;  // its row's `draw` refers to it
+  ExternalAlgorithm& operator=(const ExternalAlgorithm&) = delete;
+
+  /// Holds name, options, guarantee, and `draw` (external_drawer.h). Without a guarantee no degree
+  /// is refused and no verdict given.
   Algorithm row;
   std::vector<SettingChoices> choices;  ///< values that its options take where a sweep names none
-  bool has_guarantee = false;
   std::vector<std::string> command;  ///< words; "{option}" stands for an option's value
   std::string version;               ///< as its author calls it; empty: program_version() asks git
   std::string input = "edgelist";    ///< what the program reads: graph6, sparse6 or edgelist

@@ -173,11 +173,19 @@ ExternalProcess::Answer ExternalProcess::ask(const std::string& request, double 
   }
 }
 
-Drawing ExternalDrawer::draw(const ExternalAlgorithm& algorithm, const Settings& options,
-                             const Graph& graph, RunRecord* run) {
+static thread_local ExternalDrawer* current_drawer = nullptr;
+
+ExternalDrawer::ExternalDrawer() : before_(std::exchange(current_drawer, this)) {}
+ExternalDrawer::~ExternalDrawer() { current_drawer = before_; }
+
+Drawing ExternalDrawer::draw(const ExternalAlgorithm& algorithm, const Graph& graph,
+                             const Settings& options) {
+  std::optional<ExternalDrawer> of_one_drawing;
+  if (current_drawer == nullptr) of_one_drawing.emplace();
+  ExternalDrawer& drawer = *current_drawer;
   const std::vector<std::string> command = command_with(algorithm, options);
   const std::string key = fmt::format("{}", fmt::join(command, "\n"));
-  std::unique_ptr<ExternalProcess> process = std::move(processes_[key]);
+  std::unique_ptr<ExternalProcess> process = std::move(drawer.processes_[key]);
   const bool is_new = !process;
   if (is_new) {
     process = std::make_unique<ExternalProcess>(command);
@@ -191,12 +199,9 @@ Drawing ExternalDrawer::draw(const ExternalAlgorithm& algorithm, const Settings&
       request_of(algorithm, graph), algorithm.limit_s(graph.num_vertices()), most_bytes(graph));
   if (is_new && !algorithm.one_graph_per_process) process->refuse_second_lines(kListeningSeconds);
   ProgramAnswer read = parsed(algorithm.row.name, graph, answer.line);
-  if (!algorithm.one_graph_per_process) processes_[key] = std::move(process);
+  if (!algorithm.one_graph_per_process) drawer.processes_[key] = std::move(process);
   if (!read.drawing) throw InputError(fmt::format("{}: {}", algorithm.row.name, read.refusal));
-  if (run != nullptr) {
-    run->wall_s = answer.wall_s;
-    run->cpu_s = std::isnan(read.own_s) ? answer.cpu_s : read.own_s;
-  }
+  drawer.times_ = {answer.wall_s, std::isnan(read.own_s) ? answer.cpu_s : read.own_s};
   return std::move(*read.drawing);
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ar3d/base/new_file.h"
@@ -82,21 +83,37 @@ class ExternalProcess {
   bool errors_ended_ = false;
 };
 
-/// Keeps a process for each external program with its options and has it draw graph after graph. A
-/// new process first draws a single edge, so that starting it is timed with no graph (unless it
-/// takes one graph only), and is listened to for 20 ms behind that answer and the next, lest it
-/// write second lines. To be used by one thread.
+/// While it lives, it keeps a process for each program, with its options, that this thread has draw
+/// (ExternalAlgorithm::row), and the process draws graph after graph. A new one first draws a single
+/// edge, so that starting it is timed with no graph (unless it takes one graph only), and is
+/// listened to for 20 ms behind that answer and the next, lest it write second lines. The last one
+/// that began counts; without any a process draws a single graph.
 class ExternalDrawer {
  public:
-  /// @param run  given: it gets the wall time from request to answer, and as CPU time the program's
-  /// own time if it says so, else that of its process.
+  ExternalDrawer();
+  ~ExternalDrawer();
+  ExternalDrawer(const ExternalDrawer&) = delete;
+  ExternalDrawer& operator=(const ExternalDrawer&) = delete;
+
+  /// Holds what the last drawing took: wall time from request to answer, and as CPU time the
+  /// program's own time if it says so, else that of its process.
+  struct Times {
+    double wall_s = 0;
+    double cpu_s = 0;
+  };
+  /// Returns the times of the last drawing, once; nothing if no program has drawn since.
+  std::optional<Times> take_times() { return std::exchange(times_, std::nullopt); }
+
+  /// Draws as the algorithm's row does, in the thread's processes.
   /// @throws ProgramFailure as ExternalProcess, and `crashed` if the answer is no drawing of the
   /// graph; InputError if the program refuses the graph. After a failure the process is replaced.
-  Drawing draw(const ExternalAlgorithm& algorithm, const Settings& options, const Graph& graph,
-               RunRecord* run = nullptr);
+  static Drawing draw(const ExternalAlgorithm& algorithm, const Graph& graph,
+                      const Settings& options);
 
  private:
   std::map<std::string, std::unique_ptr<ExternalProcess>> processes_;  // by command
+  std::optional<Times> times_;
+  ExternalDrawer* const before_;
 };
 
 }  // namespace ar3d

@@ -3,7 +3,6 @@
 #include "ar3d/bench/replay/replay_row.h"
 
 #include "ar3d/base/random.h"
-#include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/run/row_maker.h"
 #include "ar3d/store/columns/run_columns.h"
@@ -90,8 +89,7 @@ Drawing redrawn(const RunRecord& row, const StudyOrigin& origin) {
   const PlannedInstance instance = plan_of_row(row, origin);
   const Graph graph = graph_of(instance);
   const AlgorithmChoice& choice = instance.runs.front().choice;
-  if (!choice.program) return draw(*choice.algorithm, graph, choice.options);
-  return ExternalDrawer().draw(*choice.program, choice.options, graph);
+  return draw(*choice.algorithm, graph, choice.options);
 }
 
 RunRecord replayed(const RunRecord& row, const StudyOrigin& origin) {

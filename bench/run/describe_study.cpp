@@ -22,7 +22,7 @@ std::vector<AlgorithmRecord> algorithms_of(const StudySpec& spec) {
   std::map<std::pair<std::string, std::string>, AlgorithmRecord> records;
   for (const Sweep& sweep : spec.sweeps) {
     for (const AlgorithmChoice& choice : sweep.algorithms) {
-      if (choice.program && !choice.program->has_guarantee) continue;
+      if (!choice.algorithm->is_judged) continue;
       const AlgorithmRecord record = algorithm_record(choice);
       records.try_emplace({record.algorithm, record.options}, record);
     }

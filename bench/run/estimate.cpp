@@ -128,7 +128,7 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
 
 CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std::uint64_t largest,
                      const Budget& budget) {
-  if (run.choice.program) return {};  // what a program costs, nobody knows before
+  if (run.choice.algorithm->is_foreign) return {};  // what a program costs, nobody knows before
   const std::uint64_t size = calibration_size(largest);
   const std::uint64_t smaller = std::max<std::uint64_t>(1, size / kSizeRatio);
   const Measured small = measured_at(instance, run, smaller, budget);

@@ -45,19 +45,22 @@ std::uint64_t most_comparisons(const Graph& graph) {
   return kAlways + kEach * (std::uint64_t{graph.num_vertices()} + graph.num_edges());
 }
 
-// A program's crossings are counted, however many there are, within reason.
+// How a drawing is held to the guarantee. A program's may stand on any lattice, and its crossings
+// are counted, however many there are, within reason.
 CertifyOptions certifying(const AlgorithmChoice& choice,
-                          const std::optional<LimitByVertices>& memory, const Graph& graph) {
+                          const std::optional<LimitByVertices>& memory, const Graph& graph,
+                          const Drawing& drawing, Guarantee& guarantee) {
   CertifyOptions options;
   options.mode = choice.certificate;
   if (memory) {
     options.proof_bytes =
         static_cast<std::uint64_t>(std::clamp((*memory)(graph.num_vertices()), 1.0, 1e18));
   }
-  if (!choice.program) return options;
+  if (!choice.algorithm->is_foreign) return options;
+  guarantee.lattice = drawing.lattice();
   options.max_violations = kMostCrossings;
   options.most_comparisons = most_comparisons(graph);
-  options.check_size = choice.program->has_guarantee;
+  options.check_size = choice.algorithm->is_judged;
   return options;
 }
 
@@ -182,26 +185,24 @@ RunRecord RowMaker::make_row(const PlannedRun& planned, const RowRequest& reques
 
 Drawing RowMaker::draw_timed(const PlannedRun& planned, const RowRequest& request, RunRecord& run) {
   const AlgorithmChoice& choice = planned.choice;
-  if (choice.program) {
-    refuse_larger_degrees(choice.algorithm->name, *graph_, choice.algorithm->guarantee.max_degree);
-    for (std::uint32_t i = 0; i < request.warm_ups; ++i) {
-      drawer_.draw(*choice.program, choice.options, *graph_);
-    }
-    run.warm_ups = request.warm_ups;
-    return drawer_.draw(*choice.program, choice.options, *graph_, &run);
-  }
   for (std::uint32_t i = 0; i < request.warm_ups; ++i) {
     draw(*choice.algorithm, *graph_, choice.options);
   }
   run.warm_ups = request.warm_ups;
   if (request.warm_ups > 0) memory_.restart();
-  return timed_drawing(*graph_, choice, counters_, run);
+  Drawing drawing = timed_drawing(*graph_, choice, counters_, run);
+  if (const auto own = drawer_.take_times()) {  // another process has drawn
+    run.wall_s = own->wall_s;
+    run.cpu_s = own->cpu_s;
+    run.instructions = run.cycles = run.cache_misses = -1;
+  }
+  return drawing;
 }
 
 void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& request,
                                 RunRecord& run) {
   const AlgorithmChoice& choice = planned.choice;
-  const bool is_judged = !choice.program || choice.program->has_guarantee;
+  const bool is_judged = choice.algorithm->is_judged;
   Drawing drawing = draw_timed(planned, request, run);
   if (memory_.scope() != MemoryScope::process) run.draw_peak_bytes = memory_.peak_bytes();
   if (choice.level != Level::extents) {
@@ -218,11 +219,10 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
     return;
   }
   Guarantee guarantee = choice.algorithm->guarantee;
-  if (choice.program) guarantee.lattice = drawing.lattice();  // any is as good
+  const CertifyOptions how =
+      certifying(choice, circumstances_.certify_memory_bytes, *graph_, drawing, guarantee);
   const Stopwatch certifying_time;
-  Examination examination =
-      examine(*graph_, drawing, guarantee, {},
-              certifying(choice, circumstances_.certify_memory_bytes, *graph_));
+  Examination examination = examine(*graph_, drawing, guarantee, {}, how);
   if (!examination.summary.real) {
     set_angles_and_crossings(*graph_, drawing, guarantee, examination.certificate,
                              examination.summary);

@@ -140,9 +140,7 @@ Drawing seed_passed_bound(const Graph& graph, const Drawing& drawing, const Guar
 
 Drawing draw_subject(const Subject& subject, const Graph& graph) {
   const Algorithm& algorithm = *subject.choice.algorithm;
-  Drawing drawing = subject.choice.program ? subject.drawer->draw(*subject.choice.program,
-                                                                  subject.choice.options, graph)
-                                           : draw(algorithm, graph, subject.choice.options);
+  Drawing drawing = draw(algorithm, graph, subject.choice.options);
   return subject.fault == nullptr ? drawing
                                   : subject.fault->plant(graph, drawing, algorithm.guarantee);
 }
@@ -154,12 +152,11 @@ Trial try_graph(const Subject& subject, Graph graph) {
     const Drawing drawing = draw_subject(subject, trial.graph);
     trial.extents = bounding_box(drawing).extents();
     trial.bound = bound_of(subject, trial.graph, drawing);
-    const AlgorithmChoice& choice = subject.choice;
-    const bool has_box = !choice.program || choice.algorithm->guarantee.bound.promises_box();
+    const Algorithm& algorithm = *subject.choice.algorithm;
+    const bool has_box = algorithm.guarantee.bound.promises_box();
     trial.ratio = has_box ? ratio_of(trial, subject.measure) : 0;
-    if (choice.program && !choice.program->has_guarantee) return trial;
-    const Certificate certificate =
-        certify(trial.graph, drawing, subject.choice.algorithm->guarantee);
+    if (!algorithm.is_judged) return trial;
+    const Certificate certificate = certify(trial.graph, drawing, algorithm.guarantee);
     if (certificate.violated()) {
       const Violation& first = certificate.violations.front();
       trial.failure = to_string(first.kind);

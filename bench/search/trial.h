@@ -44,7 +44,6 @@ struct Subject {
   const SeededFault* fault = nullptr;
   BoundShare measure = BoundShare::side;
   bool against_instance = false;  ///< the bound is the proof's for the graph, else the theorem's
-  std::shared_ptr<ExternalDrawer> drawer = {};  ///< where the choice is a program
 };
 
 /// Describes one graph drawn and judged.

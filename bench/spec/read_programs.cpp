@@ -8,6 +8,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/bench/spec/toml_table.h"
 
@@ -83,7 +84,8 @@ std::vector<std::int64_t> option_values(const toml::node& given, const std::stri
 }  // namespace
 
 std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
-  ExternalAlgorithm program;
+  const auto made = std::make_shared<ExternalAlgorithm>();
+  ExternalAlgorithm& program = *made;
   Settings first;
   const auto read_name = [&](const toml::node& name, const std::string& key) {
     program.row.name = toml_text(name, key);
@@ -112,11 +114,16 @@ std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
                                      printable(program.version)));
   };
   const auto read_guarantee_of_program = [&](const toml::node& guarantee, const std::string&) {
-    program.has_guarantee = true;
+    program.row.is_judged = true;
     program.row.guarantee = read_guarantee(guarantee);
   };
   program.row.guarantee = no_guarantee();
   program.row.summary = "a program of the study";
+  program.row.is_foreign = true;
+  program.row.is_judged = false;
+  program.row.draw = [&program](const Graph& graph, const Settings& options) {
+    return ExternalDrawer::draw(program, graph, options);
+  };
   read_toml_table(
       node, "algorithm",
       {{"name", read_name, true},
@@ -134,7 +141,7 @@ std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
         first.push_back({option, first_value});
       });
   with_place(node, [&] { command_with(program, first); });
-  return std::make_shared<const ExternalAlgorithm>(std::move(program));
+  return made;
 }
 
 }  // namespace ar3d

@@ -85,7 +85,7 @@ struct FamilyChoice {
 struct AlgorithmChoice {
   const Algorithm* algorithm = nullptr;  ///< of the catalogue, or the program's row
   Settings options;
-  std::shared_ptr<const ExternalAlgorithm> program = {};  ///< null: one of the catalogue
+  std::shared_ptr<const ExternalAlgorithm> owner = {};    ///< of the program's row
   CertificateMode certificate = CertificateMode::exact;   ///< that judges its drawings
   Level level = Level::extents;
 };

@@ -87,6 +87,23 @@ TEST_F(Programs, GoodOnesAreMeasured) {
   }
 }
 
+TEST_F(Programs, AreAlgorithms) {
+  const StudySpec spec = study(program("step.py", R"(
+    say(json.dumps({"vertices": [[i * served, i * i, 0] for i in range(n)]}) + "\n"))"),
+                               "guarantee = { max_degree = 2, max_bends = 0, cosine = [1, 1] }");
+  const Algorithm& mine = spec.programs.front()->row;
+  const auto width = [&] { return bounding_box(draw(mine, cycle(5))).extents()[0]; };
+  EXPECT_EQ(width(), 2 * 4) << "the first graph of a process is an edge";
+  EXPECT_EQ(width(), 2 * 4) << "each drawing has a process of its own";
+  ExternalDrawer one_process;
+  EXPECT_FALSE(one_process.take_times());
+  EXPECT_EQ(width(), 2 * 4);
+  EXPECT_EQ(width(), 3 * 4);
+  EXPECT_GT(one_process.take_times().value().wall_s, 0);
+  EXPECT_FALSE(one_process.take_times());
+  EXPECT_THROW(draw(mine, complete(4)), InputError);
+}
+
 TEST_F(Programs, AGuaranteeIsJudged) {
   const std::string path = program("round.py", kRound);
   const std::vector<RunRecord> kept =

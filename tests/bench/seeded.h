@@ -38,9 +38,9 @@ inline StudyPlan plan_of(PlannedInstance instance) {
 }
 
 /// The algorithm diamond, but drawing as the given function does.
-inline Algorithm diamond_drawn_by(Drawing (*draw)(const Graph&, const Settings&)) {
+inline Algorithm diamond_drawn_by(decltype(Algorithm::draw) draw) {
   Algorithm algorithm = find_algorithm("diamond");
-  algorithm.draw = draw;
+  algorithm.draw = std::move(draw);
   return algorithm;
 }
 
