@@ -84,9 +84,9 @@ int compare_files(const CompareArguments& arguments) {
 }
 
 /// Curves at one size.
-std::size_t cells_of(const StudySpec& spec) {
+std::size_t cells_of(const Study& study) {
   std::set<std::string> cells;
-  for (const PlannedInstance& instance : plan_study(spec).instances) {
+  for (const PlannedInstance& instance : plan_study(study).instances) {
     for (const PlannedRun& run : instance.runs) {
       cells.insert(fmt::format("{} {} {} {} {} {}", instance.choice.family->name,
                                instance.parameters, instance.n, run.choice.algorithm->name,
@@ -97,9 +97,9 @@ std::size_t cells_of(const StudySpec& spec) {
 }
 
 /// As many as one cell among all needs, and one to spare; at least 15.
-std::size_t rounds_of(const CompareArguments& arguments, const StudySpec& spec) {
+std::size_t rounds_of(const CompareArguments& arguments, const Study& study) {
   if (arguments.rounds > 0) return arguments.rounds;
-  return std::max<std::size_t>(15, fewest_pairs(arguments.options.time, cells_of(spec)) + 1);
+  return std::max<std::size_t>(15, fewest_pairs(arguments.options.time, cells_of(study)) + 1);
 }
 
 int say_interrupted(const std::string& where) {
@@ -108,10 +108,10 @@ int say_interrupted(const std::string& where) {
 }
 
 /// @return nothing if it was interrupted, which has been said then.
-std::optional<Comparison> take_turns(const std::string& base, const StudySpec& spec,
+std::optional<Comparison> take_turns(const std::string& base, const Study& study,
                                      const std::string& folder, const InterleaveOptions& options,
                                      const CompareOptions& rule) {
-  const InterleavedRounds rounds = run_interleaved(base, kThisProgram, spec, folder, options);
+  const InterleavedRounds rounds = run_interleaved(base, kThisProgram, study, folder, options);
   if (!rounds.interrupted) return compare_rounds(rounds.base, rounds.now, rule);
   say_interrupted(fmt::format("in round {} of {}",
                               std::min(rounds.base.size(), rounds.now.size()) + 1, options.rounds));
@@ -122,7 +122,7 @@ int compare_builds(const CompareArguments& arguments) {
   if (!arguments.files.empty()) throw InputError("--base and --calibrate take no results files");
   const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
   std::FILE* progress = manner.quiet ? nullptr : stderr;
-  const StudySpec spec = load_study(arguments.study);
+  const Study study = load_study(arguments.study);
   for (const std::string& output : {arguments.json, arguments.markdown}) {
     if (!output.empty() && output != "-") require_writable(output);
   }
@@ -133,11 +133,11 @@ int compare_builds(const CompareArguments& arguments) {
     base = build_reference(checkout, arguments.base, progress);
     if (!base) return say_interrupted("while building " + arguments.base);
   }
-  InterleaveOptions options{rounds_of(arguments, spec), arguments.core, progress};
+  InterleaveOptions options{rounds_of(arguments, study), arguments.core, progress};
   Calibration calibration;
   std::optional<Comparison> comparison;
   if (arguments.calibrate) {
-    comparison = take_turns(kThisProgram, spec, folder, options, arguments.options);
+    comparison = take_turns(kThisProgram, study, folder, options, arguments.options);
     if (!comparison) return kInterrupted;
     std::vector<std::vector<double>> ratios;
     for (const CellComparison& cell : comparison->cells) ratios.push_back(cell.log_ratios);
@@ -146,8 +146,8 @@ int compare_builds(const CompareArguments& arguments) {
          summary(calibration, arguments.options.time));
   }
   if (base) {
-    options.count = spec.count && counting_problem().empty();
-    comparison = take_turns(*base, spec, folder, options, arguments.options);
+    options.count = study.spec.count && counting_problem().empty();
+    comparison = take_turns(*base, study, folder, options, arguments.options);
     if (!comparison) return kInterrupted;
   }
   return report_verdict(arguments, *comparison, arguments.calibrate ? &calibration : nullptr);

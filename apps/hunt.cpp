@@ -158,7 +158,7 @@ void sort_settings(HuntArguments& arguments) {
 /// @throws InputError naming what is unknown.
 Subject subject_of(const HuntArguments& arguments) {
   if (arguments.algorithm.empty()) throw InputError("--algorithm is required");
-  const StudySpec spec = arguments.study.empty() ? StudySpec() : load_study(arguments.study);
+  const StudySpec spec = arguments.study.empty() ? StudySpec() : load_study(arguments.study).spec;
   Subject subject;
   subject.choice = algorithm_choice(spec, arguments.algorithm, parse_settings(arguments.settings));
   if (!arguments.seeded_fault.empty()) subject.fault = &find_seeded_fault(arguments.seeded_fault);

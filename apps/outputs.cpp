@@ -142,11 +142,11 @@ void refuse_foreign_ending(const std::string& path, const std::vector<std::strin
 }
 
 std::vector<std::string> files_of_study(const StudyIdentity& identity, const std::string& results) {
-  StudySpec spec = recorded_study(identity, results);
-  spec.own_files = own_files_of(results);
-  std::vector<std::string> files = graph_files_of(spec);
+  Study study = recorded_study(identity, results);
+  study.files.own = own_files_of(results);
+  std::vector<std::string> files = graph_files_of(study);
   files.push_back(results);
-  for (const auto& program : spec.programs) {
+  for (const auto& program : study.spec.programs) {
     for (const std::string& word : program->command) {
       if (is_regular(word)) files.push_back(word);
     }

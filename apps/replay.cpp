@@ -60,7 +60,7 @@ int replay_row(const ReplayArguments& arguments) {
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   StudyOrigin origin = study_origin(results);
   origin.moved_graphs = arguments.graphs;
-  if (origin.spec) refuse_changed_program(*origin.spec, then, results, arguments.results);
+  if (origin.study) refuse_changed_program(origin.study->spec, then, results, arguments.results);
   const RunRecord now = replayed(then, origin);
   const std::string which =
       fmt::format("{} {} n={} seed {}", then.family, then.parameters, then.n, then.seed);

@@ -148,7 +148,7 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
   if (!manner.quiet && ranks->size() == 1) policy.progress = stderr;
   const auto begin_possible = [&] {
     JournaledStudy begun = begin();
-    refuse_impossible_study(begun.spec, policy);
+    refuse_impossible_study(begun, policy);
     return begun;
   };
   std::optional<std::string> results;
@@ -203,7 +203,7 @@ JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
   JournaledStudy study = new_study(chosen_study(arguments.chosen), shard, arguments.output);
   const std::string page = report_path(study.results);
   std::vector<std::string> inputs = {arguments.chosen.study};
-  for (std::string& file : graph_files_of(study.spec)) inputs.push_back(std::move(file));
+  for (std::string& file : graph_files_of(study)) inputs.push_back(std::move(file));
   refuse_foreign_page(page, study.results);
   std::vector<std::string> outputs = {study.results};
   if (study.spec.keep_drawings != KeptDrawings::none && shard.count == 1) {
@@ -240,7 +240,7 @@ void add_run(CLI::App& study, int& exit_code) {
 }
 
 // Which files of the study's are not as they were; what results hold of them stays.
-void tell_growth(const StudySpec& spec) {
+void tell_growth(const Study& study) {
   const auto tell = [](const std::string& name, const std::vector<std::string>& files,
                        const char* what) {
     constexpr std::size_t kShown = 10;
@@ -254,7 +254,7 @@ void tell_growth(const StudySpec& spec) {
         what, text);
   };
   std::set<std::string> told;
-  for (const StudyCorpus& corpus : corpora_of(spec)) {
+  for (const StudyCorpus& corpus : corpora_of(study)) {
     if (!told.insert(corpus.record.name).second) continue;
     const CorpusGrowth& growth = corpus.corpus->graphs->growth();
     tell(corpus.record.name, growth.added, "new, to be drawn");
@@ -286,8 +286,8 @@ void add_resume(CLI::App& study, int& exit_code) {
     exit_code = make_study(*arguments, [&] {
       JournaledStudy study = begun_study(arguments->study);
       study.again = again;
-      study.spec.grows = true;
-      tell_growth(study.spec);
+      study.files.grow = true;
+      tell_growth(study);
       return study;
     });
   });

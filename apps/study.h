@@ -27,11 +27,11 @@ void add_study_choice(CLI::App& verb, StudyChoice& choice);
 
 /// Returns the study that was chosen. @throws InputError as load_study; unless exactly one of STUDY
 /// and --graphs is given.
-StudySpec chosen_study(const StudyChoice& choice);
+Study chosen_study(const StudyChoice& choice);
 
 /// Refuses a study before any work that cannot be made with this policy (bad build, too few cores).
 /// For large sizes and for rows with limits it estimates the cells, too. @throws InputError
-void refuse_impossible_study(const StudySpec& spec, const SessionPolicy& policy);
+void refuse_impossible_study(const Study& study, const SessionPolicy& policy);
 
 /// Returns the row with that key, or with that number from 0. @throws InputError naming the file if
 /// there is none.

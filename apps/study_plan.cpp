@@ -18,6 +18,7 @@
 #include "ar3d/bench/run/estimate.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/bench/spec/toml_table.h"
 #include "ar3d/store/columns/curves.h"
 #include "commands.h"
 #include "options.h"
@@ -25,21 +26,6 @@
 
 namespace ar3d {
 namespace {
-
-// The text that the options are short for has lines that nobody saw: messages are to name none.
-StudySpec parse_options(const GraphsStudy& graphs) {
-  const std::string place = "--graphs:";
-  try {
-    return parse_study(graphs_study_text(graphs), "--graphs");
-  } catch (const InputError& error) {
-    std::string message = error.what();
-    const std::size_t end = message.find_first_not_of("0123456789", place.size());
-    if (message.starts_with(place) && end != std::string::npos && message[end] == ':') {
-      message.erase(place.size() - 1, end - place.size() + 1);
-    }
-    throw InputError(message);
-  }
-}
 
 // From this size on, a calibration costs nothing beside the study.
 constexpr std::uint64_t kLargeSize = 200000;
@@ -153,10 +139,10 @@ nlohmann::ordered_json plan_json(const StudySpec& spec, const StudyPlan& plan,
           {"cells", cells}};
 }
 
-void print_estimate(const StudySpec& spec, const StudyPlan& plan, const StudyEstimate& estimate,
+void print_estimate(const Study& study, const StudyPlan& plan, const StudyEstimate& estimate,
                     int workers) {
   std::set<std::string> collections;
-  for (const StudyCorpus& corpus : corpora_of(spec)) {
+  for (const StudyCorpus& corpus : corpora_of(study)) {
     if (!corpus.entry->is_collection) continue;
     if (collections.insert(corpus.record.name).second) print_collection(corpus);
   }
@@ -225,7 +211,7 @@ void add_study_choice(CLI::App& verb, StudyChoice& choice) {
       ->needs(files);
 }
 
-StudySpec chosen_study(const StudyChoice& choice) {
+Study chosen_study(const StudyChoice& choice) {
   if (choice.study.empty() == choice.graphs.files.empty()) {
     throw InputError("either STUDY or --graphs says what to run; --help shows both");
   }
@@ -237,15 +223,11 @@ StudySpec chosen_study(const StudyChoice& choice) {
         "folder, is one");
   }
   graphs.reading = choice.reading.read_options();
-  StudySpec spec = parse_options(graphs);
-  for (Sweep& sweep : spec.sweeps) {
-    for (GraphsEntry& entry : sweep.graphs) entry.place = "--graphs: ";
-  }
-  return spec;
+  return parse_study(graphs_study_text(graphs), kOptionsFile);
 }
 
-void refuse_impossible_study(const StudySpec& spec, const SessionPolicy& policy) {
-  const StudyPlan plan = plan_study(spec);
+void refuse_impossible_study(const Study& study, const SessionPolicy& policy) {
+  const StudyPlan plan = plan_study(study);
   require_possible(plan, policy);
   const std::vector<PlannedBlock>& blocks = plan.instances.blocks();
   const bool is_large = std::any_of(blocks.begin(), blocks.end(), [](const PlannedBlock& block) {
@@ -272,15 +254,15 @@ void add_study_plan(CLI::App& study, int&) {
       "right within a factor of three.\nExit code 2 if a cell is impossible.\nExample: ar3d study "
       "plan quick");
   verb->callback([chosen, threads] {
-    const StudySpec spec = chosen_study(*chosen);
-    require_programs(spec);
-    const StudyPlan plan = plan_study(spec);
+    const Study asked = chosen_study(*chosen);
+    require_programs(asked.spec);
+    const StudyPlan plan = plan_study(asked);
     const int workers = workers_for(*threads);
     note(stderr, "ar3d: {} graphs planned; small ones are drawn to estimate time and memory\n",
          plan.instances.size());
     const StudyEstimate made = estimate(plan, workers);
-    if (manner.json) print_json(plan_json(spec, plan, made));
-    if (!manner.json) print_estimate(spec, plan, made, workers);
+    if (manner.json) print_json(plan_json(asked.spec, plan, made));
+    if (!manner.json) print_estimate(asked, plan, made, workers);
     refuse_impossible(plan, made, available_memory());
   });
 }

@@ -61,7 +61,7 @@ bool run_once(const fs::path& folder, const char* side, std::size_t round, int c
 }  // namespace
 
 InterleavedRounds run_interleaved(const std::string& base_program, const std::string& new_program,
-                                  const StudySpec& spec, const std::string& folder,
+                                  const Study& study, const std::string& folder,
                                   const InterleaveOptions& options) {
   const fs::path own = fs::path(folder) / fmt::format("run-{}", getpid());
   BOOST_SCOPE_EXIT_ALL(&) { remove_folder(own); };
@@ -70,7 +70,7 @@ InterleavedRounds run_interleaved(const std::string& base_program, const std::st
     fs::create_directories(own / side);
     fs::copy_file(*program, own / side / "ar3d", fs::copy_options::overwrite_existing);
   }
-  std::ofstream(own / "study.toml", std::ios::binary) << text_of_a_turn(spec, kTimedRepetitions);
+  std::ofstream(own / "study.toml", std::ios::binary) << text_of_a_turn(study, kTimedRepetitions);
   const int core = options.core >= 0 ? options.core : allowed_cores().back();
   const Stopwatch stopwatch;
   InterleavedRounds rounds;

@@ -29,7 +29,7 @@ struct InterleavedRounds {
 /// folder of their own in `folder`, which is removed afterwards.
 /// @throws InputError naming round and program if one ends with anything but a verdict.
 InterleavedRounds run_interleaved(const std::string& base_program, const std::string& new_program,
-                                  const StudySpec& spec, const std::string& folder,
+                                  const Study& study, const std::string& folder,
                                   const InterleaveOptions& options);
 
 }  // namespace ar3d

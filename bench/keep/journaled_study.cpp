@@ -33,7 +33,7 @@ RowCollection rows_so_far(const JournaledStudy& study) {
 }
 
 StudyPlan plan_of(const JournaledStudy& study) {
-  return plan_of_shard(plan_study(study.spec), study.shard);
+  return plan_of_shard(plan_study(study), study.shard);
 }
 
 StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
@@ -44,8 +44,8 @@ StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& pla
   return gathered.outcome();
 }
 
-bool has_grown(const StudySpec& spec) {
-  return spec.grows && std::ranges::any_of(corpora_of(spec), [](const StudyCorpus& corpus) {
+bool has_grown(const Study& study) {
+  return study.files.grow && std::ranges::any_of(corpora_of(study), [](const StudyCorpus& corpus) {
            return corpus.corpus->graphs->growth().has_new();
          });
 }
@@ -58,7 +58,7 @@ void fold_journals(const JournaledStudy& study, const StudyIdentity& identity) {
   }
   if (!rows_are_in_results(study.results)) {
     JournaledStudy begun = study;
-    begun.spec.grows = false;
+    begun.files.grow = false;
     write_rows_so_far(begun, plan_of(begun), study.results);
   }
   remove_journals(study.results);
@@ -87,7 +87,7 @@ void seed_journal(const JournaledStudy& study, const StudyPlan& plan,
   if (study.has_journals && existing_journals(study.results).empty()) {
     throw InputError(fmt::format("{}: another process has finished the study", study.results));
   }
-  const bool begins_anew = !study.again.empty() || has_grown(study.spec);
+  const bool begins_anew = !study.again.empty() || has_grown(study);
   if (begins_anew) fold_journals(study, identity);
   if (!study.seed_from_results && !begins_anew) return;
   const std::string journal_of_study = journal_path(study.results);
@@ -114,7 +114,7 @@ void seed_journal(const JournaledStudy& study, const StudyPlan& plan,
 }
 
 StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan) {
-  auto identity = static_cast<StudyIdentity&&>(describe_study(study.spec, 1));
+  auto identity = static_cast<StudyIdentity&&>(describe_study(study, 1));
   identity.created = study.created;
   identity.shard = study.shard;
   identity.planned_rows = required_rows(plan);
@@ -123,7 +123,7 @@ StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan) {
 
 std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const SessionPolicy& policy,
                                          const Ranks& ranks) {
-  const Results description = describe_study(study.spec, policy.workers);
+  const Results description = describe_study(study, policy.workers);
   std::vector<EnvironmentEntry> session = {{"started", description.created}};
   if (study.shard.count > 1) {
     session.push_back({"shard", fmt::format("{}/{}", study.shard.index, study.shard.count)});
@@ -282,8 +282,8 @@ class StudyPart {
 
 }  // namespace
 
-JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::string& results) {
-  JournaledStudy study{spec, shard, results, now_with_zone()};
+JournaledStudy new_study(const Study& begun, const Shard& shard, const std::string& results) {
+  JournaledStudy study{begun, shard, results, now_with_zone()};
   if (study.results.empty()) study.results = path_of_shard(default_results_path(study.spec), shard);
   require_results_name(study.results);
   study.results = in_resolved_folder(study.results);
@@ -294,7 +294,7 @@ JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::s
         journals.front(), shell_word(study.results)));
   }
   require_writable(study.results);
-  study.spec.own_files = own_files_of(study.results);
+  study.files.own = own_files_of(study.results);
   return study;
 }
 
@@ -304,9 +304,9 @@ JournaledStudy begun_study(const std::string& journal_or_results) {
   const bool in_results = rows_are_in_results(results);
   const StudyIdentity identity =
       in_results ? RunReader(results).identity() : journal_status(journals.front()).identity;
-  StudySpec spec = recorded_study(identity, in_results ? results : journals.front());
-  spec.own_files = own_files_of(results);
-  return {std::move(spec), identity.shard, results, identity.created, in_results, !in_results};
+  Study study = recorded_study(identity, in_results ? results : journals.front());
+  study.files.own = own_files_of(results);
+  return {std::move(study), identity.shard, results, identity.created, in_results, !in_results};
 }
 
 JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin) {
@@ -318,11 +318,11 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
   const std::string results = ranks.from_first(study ? study->results : "");
   StudyIdentity identity = study ? identity_of(*study, StudyPlan()) : StudyIdentity();
   identity = parse_identity(ranks.from_first(identity_text(identity)), results);
-  StudySpec spec = recorded_study(identity, results);
-  spec.own_files = own_files_of(results);
-  if (study) spec.shelf = study->spec.shelf;
-  together(ranks, [&spec] { corpora_of(spec); });  // so that all ranks have read the same graphs
-  return {std::move(spec),
+  Study same = recorded_study(identity, results);
+  same.files.own = own_files_of(results);
+  if (study) same.files.shelf = study->files.shelf;
+  together(ranks, [&same] { corpora_of(same); });  // so that all ranks have read the same graphs
+  return {std::move(same),
           identity.shard,
           results,
           identity.created,

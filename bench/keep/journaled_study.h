@@ -13,8 +13,7 @@
 namespace ar3d {
 
 /// Describes a study whose rows go into a journal beside its results file.
-struct JournaledStudy {
-  StudySpec spec;
+struct JournaledStudy : Study {
   Shard shard;
   std::string results;             ///< path of the results file
   std::string created;             ///< when it began, ISO 8601 with zone
@@ -37,7 +36,7 @@ struct StudyOutcome {
 
 /// Returns a study that begins. @throws InputError if there are journals of it already or the
 /// results file cannot be written.
-JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::string& results);
+JournaledStudy new_study(const Study& begun, const Shard& shard, const std::string& results);
 
 /// Returns a study that has begun, from its journal or its unfinished results file.
 /// @throws InputError naming the file if it cannot be read or does not say what study it is.

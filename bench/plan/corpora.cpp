@@ -28,11 +28,11 @@ std::string absolute_path(const std::string& folder, const std::string& file) {
 
 /// The files of a study that has begun, with the graphs that its results hold; none where they hold
 /// none of this family.
-std::vector<CorpusFile> held_files(const StudySpec& spec, const GraphFileRecord& record) {
+std::vector<CorpusFile> held_files(const StudyFiles& known, const GraphFileRecord& record) {
   std::vector<CorpusFile> files;
-  if (!spec.held || !spec.held->contains(record.name)) return files;
-  const std::map<std::uint32_t, std::string>& lines = spec.held->at(record.name);
-  for (const CollectedFile& file : spec.collected) {
+  if (!known.held || !known.held->contains(record.name)) return files;
+  const std::map<std::uint32_t, std::string>& lines = known.held->at(record.name);
+  for (const CollectedFile& file : known.collected) {
     if (file.name != record.name) continue;
     if (file.first < 0 || file.graphs < 0 || file.first > kMostPlaces - file.graphs) {
       throw InputError(fmt::format("/collected_files: {} graphs from {} on are no part of {}",
@@ -54,12 +54,12 @@ std::vector<CorpusFile> held_files(const StudySpec& spec, const GraphFileRecord&
 }
 
 /// Returns which file is not the one that the study began with; empty where nobody knows.
-std::string changed_file(const StudySpec& spec, const std::string& family, const Corpus& now) {
+std::string changed_file(const StudyFiles& known, const std::string& family, const Corpus& now) {
   std::set<std::pair<std::string, std::string>> there;
   for (const CollectedFile& file : now.files()) there.emplace(file.file, file.hash);
   std::string first;
   std::size_t changed = 0;
-  for (const CollectedFile& file : spec.collected) {
+  for (const CollectedFile& file : known.collected) {
     if (file.name != family || there.contains({file.file, file.hash})) continue;
     if (changed++ == 0) first = file.file;
   }
@@ -84,7 +84,8 @@ void require_name(const GraphFileRecord& record, const GraphsEntry& entry) {
 
 class CorpusReader {
  public:
-  CorpusReader(const StudySpec& spec, const std::string& only) : spec_(spec), only_(only) {}
+  CorpusReader(const Study& study, const std::string& only)
+      : spec_(study.spec), files_(study.files), only_(only) {}
 
   std::vector<StudyCorpus> read() {
     std::int64_t number = 0;
@@ -102,18 +103,18 @@ class CorpusReader {
  private:
   std::vector<GraphFileRecord> records_of(const GraphsEntry& entry, std::int64_t number) const {
     std::vector<GraphFileRecord> records;
-    if (spec_.graph_files) {
-      for (const GraphFileRecord& record : *spec_.graph_files) {
+    if (files_.begun_with) {
+      for (const GraphFileRecord& record : *files_.begun_with) {
         if (record.entry == number) records.push_back(record);
       }
       if (!records.empty()) return records;
       throw InputError(fmt::format("{}the study does not say which files '{}' was", entry.place,
                                    printable(entry.file)));
     }
-    const std::string wanted = absolute_path(spec_.folder, entry.file);
+    const std::string wanted = absolute_path(files_.folder, entry.file);
     if (entry.is_collection) {
       const std::string groups =
-          entry.groups.empty() ? "" : absolute_path(spec_.folder, entry.groups);
+          entry.groups.empty() ? "" : absolute_path(files_.folder, entry.groups);
       return {{entry.name, number, -1, {}, wanted, groups}};
     }
     for (const std::string& path : matches(wanted)) {
@@ -148,7 +149,7 @@ class CorpusReader {
           "{}: its graphs are not those that the study began with ({} graphs with hash {} now, {} "
           "with {} then{})",
           printable(record.path), graphs->graphs_in_file(), graphs->hash(), record.graphs,
-          record.hash, changed_file(spec_, record.name, *graphs)));
+          record.hash, changed_file(files_, record.name, *graphs)));
     }
     record.hash = graphs->hash();
     record.graphs = static_cast<std::int64_t>(graphs->graphs_in_file());
@@ -160,8 +161,8 @@ class CorpusReader {
   std::shared_ptr<const Corpus> opened(const GraphFileRecord& record, const CorpusOptions& options,
                                        const GraphsEntry& entry) const {
     try {
-      std::vector<CorpusFile> files = held_files(spec_, record);
-      const bool grows = spec_.grows && options.sample == 0;  // a sample stays as it was drawn
+      std::vector<CorpusFile> files = held_files(files_, record);
+      const bool grows = files_.grow && options.sample == 0;  // a sample stays as it was drawn
       if (files.empty() || grows) {
         for (CorpusFile& file : files_now(record, entry, !files.empty())) {
           files.push_back(std::move(file));
@@ -170,7 +171,7 @@ class CorpusReader {
       if (files.empty()) refuse_empty(entry);
       CorpusOptions now = options;
       now.looks_again = grows && files.front().held;
-      return shelved_corpus(*spec_.shelf, files, now);
+      return shelved_corpus(*files_.shelf, files, now);
     } catch (const InputError& error) {
       const std::string message = error.what();
       throw InputError(message.starts_with(entry.place) ? message : entry.place + message);
@@ -178,7 +179,7 @@ class CorpusReader {
   }
 
   bool is_held(const GraphFileRecord& record) const {
-    return spec_.held && spec_.held->contains(record.name);
+    return files_.held && files_.held->contains(record.name);
   }
 
   /// @param may_be_gone  then there are none where the file or folder is not there any more.
@@ -187,7 +188,7 @@ class CorpusReader {
     std::error_code ignored;
     if (may_be_gone && !is_pattern(record.path) && !fs::exists(record.path, ignored)) return {};
     if (!entry.is_collection) return {{record.path, "", ""}};
-    return collected_files(record, entry, spec_.own_files);
+    return collected_files(record, entry, files_.own);
   }
 
   // Rows are told apart by the graphs' hash and, for people, by the name: one must give the other.
@@ -225,6 +226,7 @@ class CorpusReader {
   }
 
   const StudySpec& spec_;
+  const StudyFiles& files_;
   const std::string& only_;
   std::vector<StudyCorpus> corpora_;
   std::map<std::string, GraphFileRecord> by_name_;
@@ -246,33 +248,34 @@ std::vector<FamilyChoice> StudyCorpus::choices() const {
   return choices;
 }
 
-std::vector<std::string> graph_files_of(const StudySpec& spec) {
+std::vector<std::string> graph_files_of(const Study& study) {
+  const StudyFiles& known = study.files;
   std::vector<std::string> files;
   const auto add = [&](const std::string& path, const std::string& groups, bool is_collection) {
     const std::vector<std::string> found =
-        is_collection ? collected_paths(path, spec.own_files) : matches(path);
+        is_collection ? collected_paths(path, known.own) : matches(path);
     files.insert(files.end(), found.begin(), found.end());
     if (!groups.empty()) files.push_back(groups);
   };
   std::vector<bool> collections;
-  for (const Sweep& sweep : spec.sweeps) {
+  for (const Sweep& sweep : study.spec.sweeps) {
     for (const GraphsEntry& entry : sweep.graphs) {
       collections.push_back(entry.is_collection);
-      if (spec.graph_files) continue;
-      add(absolute_path(spec.folder, entry.file),
-          entry.groups.empty() ? "" : absolute_path(spec.folder, entry.groups),
+      if (known.begun_with) continue;
+      add(absolute_path(known.folder, entry.file),
+          entry.groups.empty() ? "" : absolute_path(known.folder, entry.groups),
           entry.is_collection);
     }
   }
-  for (const GraphFileRecord& record : spec.graph_files.value_or(std::vector<GraphFileRecord>())) {
+  for (const GraphFileRecord& record : known.begun_with.value_or(std::vector<GraphFileRecord>())) {
     const auto number = static_cast<std::size_t>(record.entry);
     add(record.path, record.groups, number < collections.size() && collections[number]);
   }
   return files;
 }
 
-std::vector<StudyCorpus> corpora_of(const StudySpec& spec, const std::string& only) {
-  return CorpusReader(spec, only).read();
+std::vector<StudyCorpus> corpora_of(const Study& study, const std::string& only) {
+  return CorpusReader(study, only).read();
 }
 
 Graph corpus_graph(const FamilyChoice& choice, std::uint32_t index, std::uint64_t seed) {

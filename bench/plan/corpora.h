@@ -27,11 +27,11 @@ struct StudyCorpus {
 /// @throws InputError naming the entry: a file that is missing or cannot be read, a pattern without
 /// match, a name that a family of the catalogue or another file has, two files with the same
 /// graphs; naming the file: one that has changed since the study began.
-std::vector<StudyCorpus> corpora_of(const StudySpec& spec, const std::string& only = "");
+std::vector<StudyCorpus> corpora_of(const Study& study, const std::string& only = "");
 
 /// Returns the files whose graphs are instances, not opened; none of a pattern that matches nothing
 /// now.
-std::vector<std::string> graph_files_of(const StudySpec& spec);
+std::vector<std::string> graph_files_of(const Study& study);
 
 // The files themselves (collected_files.cpp).
 
@@ -41,7 +41,7 @@ bool is_pattern(const std::string& file);
 /// pattern.
 std::vector<std::string> matches(const std::string& path);
 /// Returns the files of a collection, by name: what matches, and everything in folders that match,
-/// but for the study's own files and journals (StudySpec::own_files).
+/// but for the study's own files and journals (StudyFiles::own).
 /// @throws InputError naming what cannot be read.
 std::vector<std::string> collected_paths(const std::string& path,
                                          const std::vector<std::string>& own_files);

@@ -73,12 +73,12 @@ bool any_matches(const std::vector<CellPattern>& patterns, const std::string& fa
 
 class Planner {
  public:
-  explicit Planner(const StudySpec& spec) : spec_(spec) {
-    plan_.instances = PlannedInstances(spec.seed);
+  explicit Planner(const Study& study) : study_(study), spec_(study.spec) {
+    plan_.instances = PlannedInstances(spec_.seed);
   }
 
   StudyPlan plan() {
-    const std::vector<StudyCorpus> corpora = corpora_of(spec_);
+    const std::vector<StudyCorpus> corpora = corpora_of(study_);
     for (const Sweep& sweep : spec_.sweeps) {
       require_known_patterns(sweep, corpora);
       for (const FamilyChoice& family : sweep.families) add_sizes(sweep, family);
@@ -266,6 +266,7 @@ class Planner {
     }
   }
 
+  const Study& study_;
   const StudySpec& spec_;
   std::vector<SizedFamily> sized_;
   std::size_t planned_rows_ = 0;  // of all of them
@@ -286,7 +287,7 @@ bool is_same_drawing(const PlannedRun& a, const PlannedRun& b) {
          a.choice.level == b.choice.level && a.choice.certificate == b.choice.certificate;
 }
 
-StudyPlan plan_study(const StudySpec& spec) { return Planner(spec).plan(); }
+StudyPlan plan_study(const Study& study) { return Planner(study).plan(); }
 
 AlgorithmRecord algorithm_record(const AlgorithmChoice& choice) {
   const Guarantee& guarantee = choice.algorithm->guarantee;

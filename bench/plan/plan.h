@@ -131,7 +131,7 @@ AlgorithmRecord algorithm_record(const AlgorithmChoice& choice);
 /// @throws InputError if nothing is left or there are more than 10^7 rows; as corpora_of.
 /// Memory: that of the families and sizes, whatever the number of instances; for graphs of files
 /// see Corpus.
-StudyPlan plan_study(const StudySpec& spec);
+StudyPlan plan_study(const Study& study);
 
 /// Returns true if a run of the instance is of a phase that is meant.
 bool has_run(const PlannedInstance& instance, const std::function<bool(RunPhase)>& is_meant);

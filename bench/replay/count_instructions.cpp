@@ -138,8 +138,8 @@ void write_orders(const std::vector<const RunRecord*>& rows, const StudyOrigin& 
 bool can_be_counted(const RunRecord& row, const StudyOrigin& origin) {
   const auto is_named = [&](const auto& program) { return program->row.name == row.algorithm; };
   if (!is_drawn(row)) return false;
-  if (!origin.spec) return true;
-  return std::none_of(origin.spec->programs.begin(), origin.spec->programs.end(), is_named);
+  if (!origin.study) return true;
+  return std::ranges::none_of(origin.study->spec.programs, is_named);
 }
 
 RunRecord order_of(const std::string& line) {

@@ -84,7 +84,7 @@ std::vector<std::size_t> rows_to_keep(const RowView& rows, KeptDrawings kept,
 KeptOutcome write_kept_drawings(const RowView& rows, KeptDrawings kept, OutputFile& file) {
   KeptOutcome outcome;
   const StudyOrigin origin = study_origin(*rows.identity);
-  if (origin.spec && origin.spec->graph_files) corpora_of(*origin.spec);
+  if (origin.study && origin.study->files.begun_with) corpora_of(*origin.study);
   for (const std::size_t row : rows_to_keep(rows, kept, outcome.repeated)) {
     std::string problem;
     if (const auto drawing = drawn_again(rows.read(row), origin, problem)) {

@@ -11,8 +11,8 @@ namespace ar3d {
 namespace {
 
 bool is_of_a_file(const std::string& family, const StudyOrigin& origin) {
-  if (!origin.spec || !origin.spec->graph_files) return false;
-  const std::vector<GraphFileRecord>& files = *origin.spec->graph_files;
+  if (!origin.study || !origin.study->files.begun_with) return false;
+  const std::vector<GraphFileRecord>& files = *origin.study->files.begun_with;
   return std::any_of(files.begin(), files.end(),
                      [&](const GraphFileRecord& file) { return file.name == family; });
 }
@@ -20,12 +20,12 @@ bool is_of_a_file(const std::string& family, const StudyOrigin& origin) {
 const std::vector<FamilyChoice>& choices_of(const std::string& family, const StudyOrigin& origin) {
   const auto [known, is_new] = origin.choices->try_emplace(family);
   if (!is_new) return known->second;
-  StudySpec spec = *origin.spec;
-  if (!origin.moved_graphs.empty()) spec.held = nullptr;
-  for (GraphFileRecord& file : *spec.graph_files) {
+  Study study = *origin.study;
+  if (!origin.moved_graphs.empty()) study.files.held = nullptr;
+  for (GraphFileRecord& file : *study.files.begun_with) {
     if (!origin.moved_graphs.empty() && file.name == family) file.path = origin.moved_graphs;
   }
-  for (const StudyCorpus& corpus : corpora_of(spec, family)) {
+  for (const StudyCorpus& corpus : corpora_of(study, family)) {
     for (FamilyChoice& choice : corpus.choices()) known->second.push_back(std::move(choice));
   }
   return known->second;
@@ -62,7 +62,7 @@ PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin) {
   instance.seed = row.seed;
   PlannedRun run;
   static const StudySpec none;
-  run.choice = algorithm_choice(origin.spec ? *origin.spec : none, row.algorithm,
+  run.choice = algorithm_choice(origin.study ? origin.study->spec : none, row.algorithm,
                                 parse_settings(row.options));
   if (!row.level.empty()) run.choice.level = parse_level(row.level);
   run.choice.certificate = certificate_of(row);
@@ -77,9 +77,9 @@ PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin) {
 
 StudyOrigin study_origin(const StudyIdentity& identity) {
   try {
-    StudySpec spec = recorded_study(identity, identity.study_id);
-    const std::uint64_t seed = spec.seed;
-    return {.seed = seed, .spec = std::move(spec)};
+    Study study = recorded_study(identity, identity.study_id);
+    const std::uint64_t seed = study.spec.seed;
+    return {.seed = seed, .study = std::move(study)};
   } catch (const InputError&) {
     return {};
   }

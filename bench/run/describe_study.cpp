@@ -100,7 +100,8 @@ void require_programs(const StudySpec& spec) {
   }
 }
 
-Results describe_study(const StudySpec& spec, int workers) {
+Results describe_study(const Study& study, int workers) {
+  const StudySpec& spec = study.spec;
   Results results;
   results.study_id = spec.name;
   results.spec = spec.text;
@@ -114,7 +115,7 @@ Results describe_study(const StudySpec& spec, int workers) {
   std::vector<SkippedFile> skipped;
   std::vector<CollectedFile> collected;
   std::set<std::string> known;
-  const std::vector<StudyCorpus> corpora = corpora_of(spec);
+  const std::vector<StudyCorpus> corpora = corpora_of(study);
   for (const StudyCorpus& corpus : corpora) {
     files.push_back(corpus.record);
     if (!known.insert(corpus.record.name).second) continue;  // the same in another sweep
@@ -127,7 +128,7 @@ Results describe_study(const StudySpec& spec, int workers) {
       skipped.push_back(std::move(file));
     }
   }
-  for (const SkippedFile& before : spec.skipped) {  // of a study that has begun
+  for (const SkippedFile& before : study.files.skipped) {  // of a study that has begun
     const auto is_it = [&](const auto& file) {
       return file.name == before.name && file.file == before.file;
     };

@@ -15,7 +15,7 @@ std::string now_with_zone();
 /// environment, time.
 /// @param workers  of the process, for the environment. @throws InputError as corpora_of, and if
 /// the executable of a program cannot be read.
-Results describe_study(const StudySpec& spec, int workers);
+Results describe_study(const Study& study, int workers);
 
 /// Requires that rows of one study are of one program each. @param before  of earlier sessions.
 /// @param results  for messages. @throws InputError naming a program whose hash is another one now.

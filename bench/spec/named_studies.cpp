@@ -69,22 +69,24 @@ std::string text_of(const toml::table& study) {
 
 }  // namespace
 
-std::string movable_text(const StudySpec& spec) {
+std::string movable_text(const Study& whole) {
+  const StudySpec& spec = whole.spec;
   const bool has_graphs = std::any_of(spec.sweeps.begin(), spec.sweeps.end(),
                                       [](const Sweep& sweep) { return !sweep.graphs.empty(); });
   if (!has_graphs) return spec.text;
   toml::table study = parse_toml(spec.text, spec.name);
   for_each_sweep(study, [&](toml::table& sweep) {
-    if (toml::node* const graphs = sweep.get("graphs")) make_paths_absolute(*graphs, spec.folder);
+    if (toml::node* const graphs = sweep.get("graphs")) make_paths_absolute(*graphs, whole.files.folder);
   });
   return text_of(study);
 }
 
-std::string text_of_a_turn(const StudySpec& spec, std::int64_t most_timed) {
+std::string text_of_a_turn(const Study& whole, std::int64_t most_timed) {
+  const StudySpec& spec = whole.spec;
   const auto is_long = [&](const Sweep& sweep) { return sweep.timed.most > most_timed; };
   const bool has_long = std::any_of(spec.sweeps.begin(), spec.sweeps.end(), is_long);
-  if (!spec.count && !has_long) return movable_text(spec);
-  toml::table study = parse_toml(movable_text(spec), spec.name);
+  if (!spec.count && !has_long) return movable_text(whole);
+  toml::table study = parse_toml(movable_text(whole), spec.name);
   study.erase("count");
   for_each_sweep(study, [&](toml::table& sweep) {
     if (!sweep.contains("timed_repetitions")) return;

@@ -332,7 +332,7 @@ bool accepts_unproved(const std::string& text) {
   }
 }
 
-StudySpec load_study(const std::string& name_or_path) {
+Study load_study(const std::string& name_or_path) {
   if (const NamedStudy* study = find_named_study(name_or_path)) {
     return parse_study(std::string(study->toml), std::string(study->name) + ".toml");
   }
@@ -347,9 +347,8 @@ StudySpec load_study(const std::string& name_or_path) {
                                  printable(name_or_path), did_you_mean(name_or_path, known),
                                  fmt::join(known, ", ")));
   }
-  StudySpec spec = parse_study(read_text_file(name_or_path), name_or_path);
-  spec.folder = std::filesystem::path(name_or_path).parent_path().string();
-  return spec;
+  return {parse_study(read_text_file(name_or_path), name_or_path),
+          {.folder = std::filesystem::path(name_or_path).parent_path().string()}};
 }
 
 AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
@@ -361,16 +360,16 @@ AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
   return {&algorithm, complete_options(algorithm, options), nullptr, spec.certificate};
 }
 
-StudySpec recorded_study(const StudyIdentity& identity, const std::string& file) {
+Study recorded_study(const StudyIdentity& identity, const std::string& file) {
   StudySpec spec = parse_study(identity.spec, file + " (its specification)");
   for (Sweep& sweep : spec.sweeps) {  // what has become of them since is not a line's fault
     for (GraphsEntry& entry : sweep.graphs) entry.place = file + ": ";
   }
-  spec.graph_files = side_records<GraphFileRecord>(identity);
-  spec.collected = side_records<CollectedFile>(identity);
-  spec.skipped = side_records<SkippedFile>(identity);
-  spec.held = std::make_shared<const HeldGraphs>(held_graphs(identity));
-  return spec;
+  return {std::move(spec),
+          {.begun_with = side_records<GraphFileRecord>(identity),
+           .collected = side_records<CollectedFile>(identity),
+           .skipped = side_records<SkippedFile>(identity),
+           .held = std::make_shared<const HeldGraphs>(held_graphs(identity))}};
 }
 
 std::string default_results_path(const StudySpec& spec) { return "ar3d-" + spec.name + ".h5"; }

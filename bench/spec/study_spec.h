@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/algorithm.h"
@@ -127,6 +128,7 @@ struct Sweep {
   std::vector<CellPattern> exclude;
 };
 
+/// Is what the text of a specification says: a value, made once.
 struct StudySpec {
   std::string name;
   std::string description;
@@ -140,20 +142,33 @@ struct StudySpec {
   KeptDrawings keep_drawings = KeptDrawings::none;
   bool count = false;            ///< made to be compared: drawings are counted where they can be
   bool accept_unproved = false;  ///< its verdict passes with rows that are not proved exactly
+  double graphs_bytes = 64e6;    ///< graphs of files go into the results up to this size
   std::string text;              ///< the verbatim TOML
+};
+
+/// Holds where the graphs of a study's files are, and what a study that has begun knows of them.
+struct StudyFiles {
   std::string folder;  ///< that the files of `graphs` are looked for in; empty: the current one
   /// Holds, if given, the files that the study began with, in order; the patterns of `graphs` say
   /// no more.
-  std::optional<std::vector<GraphFileRecord>> graph_files;
+  std::optional<std::vector<GraphFileRecord>> begun_with;
   std::vector<CollectedFile> collected;  ///< of a study that has begun: its files as they were read
   std::vector<SkippedFile> skipped;      ///< and those that could not be
   std::shared_ptr<const HeldGraphs> held;  ///< and its graphs; null or without a family: not held
   /// Holds results, report and drawings of the study; none of them is a graph of a folder.
-  std::vector<std::string> own_files = {};
-  bool grows = false;          ///< what files hold by now and the study does not is to be added
-  double graphs_bytes = 64e6;  ///< graphs of files go into the results up to this size
-  /// Holds files that were opened, for all copies of this specification.
+  std::vector<std::string> own = {};
+  bool grow = false;  ///< what they hold by now and the study does not is to be added
+  /// Holds files that were opened, for all copies of the study.
   std::shared_ptr<CorpusShelf> shelf = std::make_shared<CorpusShelf>();
+};
+
+/// Represents a study to be planned: its specification and its files.
+struct Study {
+  // NOLINTNEXTLINE(google-explicit-constructor): without files a specification is a study
+  Study(StudySpec says = {}, StudyFiles looks_in = {})
+      : spec(std::move(says)), files(std::move(looks_in)) {}
+  StudySpec spec;
+  StudyFiles files;
 };
 
 /// Reads a specification; docs/study.md describes the keys.
@@ -168,11 +183,11 @@ bool accepts_unproved(const std::string& text);
 
 /// Returns a named study, or else the TOML file at that path.
 /// @throws InputError naming the file, or the known studies if there is no such file.
-StudySpec load_study(const std::string& name_or_path);
+Study load_study(const std::string& name_or_path);
 
-/// Returns the specification of a study that has begun, with the files that it began with.
+/// Returns a study that has begun, with the files that it began with.
 /// @param file  that the identity stands in, for messages. @throws InputError as parse_study.
-StudySpec recorded_study(const StudyIdentity& identity, const std::string& file);
+Study recorded_study(const StudyIdentity& identity, const std::string& file);
 
 /// Returns the algorithm of that name, of the catalogue or a program of the study, with complete
 /// options.
@@ -199,7 +214,7 @@ struct GraphsStudy {
 
 /// Holds the name of every study that a GraphsStudy is short for.
 inline constexpr const char* kGraphsStudy = "graphs";
-/// Returns the specification that a GraphsStudy is short for.
+/// Returns the specification that a GraphsStudy is short for, to be parsed as of kOptionsFile.
 std::string graphs_study_text(const GraphsStudy& study);
 
 /// Returns "ar3d-<name>.h5".
@@ -219,10 +234,10 @@ const NamedStudy* find_named_study(std::string_view name);
 
 /// Returns the text of the specification, to be kept in another folder: the paths of `graphs` are
 /// absolute. A study without graphs of files keeps its text byte for byte.
-std::string movable_text(const StudySpec& spec);
+std::string movable_text(const Study& whole);
 
 /// Returns the same for one of many runs of the study, also by older programs: without `count`, and
 /// with at most `most_timed` timed repetitions.
-std::string text_of_a_turn(const StudySpec& spec, std::int64_t most_timed);
+std::string text_of_a_turn(const Study& whole, std::int64_t most_timed);
 
 }  // namespace ar3d

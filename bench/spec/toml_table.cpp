@@ -36,7 +36,9 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
 
 std::string toml_place(const toml::node& node) {
   const toml::source_region& source = node.source();
-  return fmt::format("{}:{}: ", source.path ? *source.path : "", source.begin.line);
+  const std::string file = source.path ? *source.path : "";
+  if (file == kOptionsFile) return file + ": ";
+  return fmt::format("{}:{}: ", file, source.begin.line);
 }
 
 void refuse_toml(const toml::node& node, const std::string& message) {

@@ -15,7 +15,11 @@ namespace ar3d {
 /// @throws InputError "file:line: message" on a syntax error.
 toml::table parse_toml(const std::string& text, const std::string& file);
 
-/// Returns "file:line: " of a node.
+/// Is what a text that options are short for is parsed as: it has lines that nobody saw, so that
+/// messages name none.
+inline constexpr const char* kOptionsFile = "--graphs";
+
+/// Returns "file:line: " of a node; "--graphs: " of one of options.
 std::string toml_place(const toml::node& node);
 
 /// @throws InputError "file:line: message" with the line of the node.

@@ -66,7 +66,7 @@ TEST_F(Collections, FilesThatAreNoGraphsAreRefusedOrListed) {
   EXPECT_THAT(problem([&] { rows("{ files = \"c\", name = \"mine\" }"); }),
               HasSubstr("README.md:3:"));
   EXPECT_EQ(rows("{ files = \"c\", name = \"mine\", skip = true }").size(), 6u);
-  const StudySpec spec = study("graphs = { files = \"c\", name = \"mine\", skip = true }\n");
+  const Study spec = study("graphs = { files = \"c\", name = \"mine\", skip = true }\n");
   const std::vector<StudyCorpus> corpora = corpora_of(spec);
   std::vector<std::string> skipped;
   for (const SkippedFile& file : corpora.front().corpus->graphs->skipped()) {
@@ -117,8 +117,8 @@ TEST_F(Collections, AStudyThatBeganNoticesAChangeOfFilesAndGroups) {
   ASSERT_EQ(files.size(), 1u);
   EXPECT_EQ(files[0].graphs, 5);
   const auto later = [&] {
-    StudySpec spec = study(entry);
-    spec.graph_files = files;
+    Study spec = study(entry);
+    spec.files.begun_with = files;
     return problem([&] { plan_study(spec); });
   };
   EXPECT_EQ(later(), "");

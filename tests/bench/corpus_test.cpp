@@ -213,7 +213,7 @@ TEST_F(Files, WhatCannotBeIsRefusedInOneLine) {
       {"graphs = \"a.s6\"\nexclude = { family = \"b.s6\" }", "t.toml:5: unknown family 'b.s6'"},
   };
   for (const auto& [sweep, message] : cases) {
-    const StudySpec spec = study(std::string(sweep) + "\n");
+    const Study spec = study(std::string(sweep) + "\n");
     const std::string told = problem([&] { plan_study(spec); });
     EXPECT_THAT(told, HasSubstr(message)) << sweep;
     EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 0) << told;
@@ -245,16 +245,16 @@ TEST_F(Files, WhatCannotBeIsRefusedInOneLine) {
 
 TEST_F(Files, AStudyThatBeganKeepsItsFilesAndNoticesAChange) {
   write("a.s6", some());
-  StudySpec spec = study("graphs = \"*.s6\"\n");
+  Study spec = study("graphs = \"*.s6\"\n");
   std::vector<GraphFileRecord> files;
   for (const StudyCorpus& corpus : corpora_of(spec)) files.push_back(corpus.record);
   ASSERT_EQ(files.size(), 1u);
   write("b.s6", {petersen()});
-  StudySpec later = study("graphs = \"*.s6\"\n");
-  later.graph_files = files;
+  Study later = study("graphs = \"*.s6\"\n");
+  later.files.begun_with = files;
   EXPECT_EQ(plan_study(later).instances.size(), 30u) << "b.s6 is no file of that study";
   write("a.s6", {petersen()});
-  later.shelf = std::make_shared<CorpusShelf>();
+  later.files.shelf = std::make_shared<CorpusShelf>();
   const std::string told = problem([&] { plan_study(later); });
   EXPECT_THAT(told,
               HasSubstr("a.s6: its graphs are not those that the study began with (1 graphs"));

@@ -20,11 +20,9 @@ class GraphFiles : public ::testing::Test {
     write_graphs(graphs, *graph_format_of_path(name), path);
     return path;
   }
-  StudySpec study(const std::string& sweep) const {
-    StudySpec spec =
-        parse_study("study = \"t\"\n[[sweep]]\nalgorithms = \"diamond\"\n" + sweep, "t.toml");
-    spec.folder = scratch_.path("");
-    return spec;
+  Study study(const std::string& sweep) const {
+    return {parse_study("study = \"t\"\n[[sweep]]\nalgorithms = \"diamond\"\n" + sweep, "t.toml"),
+            {.folder = scratch_.path("")}};
   }
 
   ScratchDirectory scratch_;

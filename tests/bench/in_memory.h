@@ -52,10 +52,10 @@ inline std::vector<RunRecord> made_rows(const StudyPlan& plan, const SessionPoli
 }
 
 /// A whole study.
-inline Results run_study(const StudySpec& spec, SessionPolicy policy = {}) {
-  policy.name = spec.name;
-  Results results = describe_study(spec, policy.workers);
-  results.runs = made_rows(plan_study(spec), policy);
+inline Results run_study(const Study& study, SessionPolicy policy = {}) {
+  policy.name = study.spec.name;
+  Results results = describe_study(study, policy.workers);
+  results.runs = made_rows(plan_study(study), policy);
   results.environment.push_back({"load_after", load_average()});
   return results;
 }

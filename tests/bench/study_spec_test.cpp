@@ -228,7 +228,7 @@ TEST(StudySpec, RefusesBadAxes) {
 
 TEST(StudySpec, NamedStudiesParse) {
   for (const NamedStudy& study : named_studies()) {
-    const StudySpec spec = load_study(std::string(study.name));
+    const StudySpec spec = load_study(std::string(study.name)).spec;
     EXPECT_EQ(spec.name, study.name);
     EXPECT_EQ(spec.description, study.summary);
   }
@@ -238,7 +238,7 @@ TEST(StudySpec, NamedStudiesParse) {
 TEST(StudySpec, LoadsFiles) {
   const auto path = fs::path(::testing::TempDir()) / "ar3d_spec.toml";
   std::ofstream(path) << study_with("repetitions = 2");
-  const StudySpec spec = load_study(path.string());
+  const StudySpec spec = load_study(path.string()).spec;
   EXPECT_EQ(spec.sweeps[0].repetitions, 2u);
   EXPECT_EQ(spec.text, study_with("repetitions = 2"));
   EXPECT_EQ(default_results_path(spec), "ar3d-t.h5");
