@@ -2,7 +2,10 @@
 // divisions into shards are refused, since their rows would not mean the same.
 #include "ar3d/bench/keep/gather_rows.h"
 
+#include <filesystem>
+
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/keep/study_files.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
@@ -102,6 +105,37 @@ void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
   StudyIdentity described = identity;
   described.planned_rows = static_cast<std::int64_t>(gathered.places.size() + gathered.missing);
   write_results(described, rows.environment(), gathered.places.size(), read, path);
+}
+
+RowCollection rows_so_far(const std::string& results) {
+  RowCollection rows;
+  for (const std::string& journal : existing_journals(results)) rows.add(journal);
+  if (rows_are_in_results(results)) rows.add(results);
+  rows.close();
+  return rows;
+}
+
+StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
+                               const std::string& path) {
+  const RowCollection rows = rows_so_far(study.results);
+  const GatheredRows gathered = gather_rows(plan, rows);
+  write_gathered(rows.identity(), gathered, rows, path);
+  return gathered.outcome();
+}
+
+StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path) {
+  using std::filesystem::weakly_canonical;
+  std::vector<std::string> own = existing_journals(study.results);
+  own.push_back(study.results);
+  for (const std::string& file : own) {
+    if (weakly_canonical(file) != weakly_canonical(path)) continue;
+    throw InputError(fmt::format("{} is a file of the study itself, not for a snapshot", path));
+  }
+  return write_rows_so_far(study, plan_of(study), path);
+}
+
+StudyOutcome outcome_so_far(const JournaledStudy& study) {
+  return gather_rows(plan_of(study), rows_so_far(study.results)).outcome();
 }
 
 void copy_rows(const RowCollection& rows, const std::vector<RunStatus>& but,

@@ -19,6 +19,9 @@ StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard);
 /// Returns rows that a study is not complete without.
 std::int64_t required_rows(const StudyPlan& plan);
 
+/// Returns the rows of a study that are there, in its journals and its results file.
+RowCollection rows_so_far(const std::string& results);
+
 /// Describes the rows of a plan that a collection has, in the plan's order.
 struct GatheredRows {
   std::vector<std::uint32_t> places;  ///< in the collection
@@ -34,6 +37,19 @@ GatheredRows gather_rows(const StudyPlan& plan, const RowCollection& rows);
 /// the ones it has and the ones it lacks. @throws InputError as write_results.
 void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
                     const RowCollection& rows, const std::string& path);
+
+/// Writes the rows so far of a study with that plan as a results file.
+/// @throws InputError as rows_so_far, gather_rows, write_gathered.
+StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
+                               const std::string& path);
+
+/// Writes the rows so far as a results file, also while they are being made.
+/// @throws InputError naming the file; if it is the study's results file or a journal of it.
+StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path);
+
+/// Returns how it stands with a study that has begun, also while its rows are being made; reads all
+/// of them. @throws InputError as begun_study.
+StudyOutcome outcome_so_far(const JournaledStudy& study);
 
 /// Copies rows of one file but those with these statuses into a new journal, session by session.
 /// @throws InputError naming the file if a row cannot be read (it would make the journal useless),

@@ -42,37 +42,23 @@ JournaledStudy new_study(const Study& begun, const Shard& shard, const std::stri
 /// @throws InputError naming the file if it cannot be read or does not say what study it is.
 JournaledStudy begun_study(const std::string& journal_or_results);
 
-/// Holds what one of several ranks failed at in a step that all do together; every one of them
-/// throws it.
-class FailedTogether : public InputError {
- public:
-  FailedTogether(const std::string& what, bool journal_full)
-      : InputError(what), journal_full_(journal_full) {}
-  bool journal_full() const { return journal_full_; }  ///< as JournalFull
-
- private:
-  bool journal_full_;
-};
+/// Returns the plan of its shard. @throws InputError as plan_study.
+StudyPlan plan_of(const JournaledStudy& study);
+/// Returns what its files say of it. @throws InputError as describe_study.
+StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan);
 
 /// Returns the study that rank 0 begins, on every rank. @throws FailedTogether if `begin` throws an
 /// InputError.
 JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin);
 
-/// Makes the rows that are not there yet. Rows that are in the journals, or in a results file made
-/// from them, stay as they are. Afterwards, whether complete or stopped, the results file holds all
-/// rows so far; the journals are removed when it is complete. Several ranks share the metrics phase
-/// and write a journal each; rank 0 does the timed phases alone and makes the results file.
+/// Plans the rows, makes those that are missing, appends each to the log, and exports all as the
+/// results file. Rows that are in the journals, or in a results file made from them, stay as they
+/// are. Afterwards, whether complete or stopped, the results file holds all rows so far; the
+/// journals are removed when it is complete. Several ranks share the metrics phase and write a
+/// journal each; rank 0 does the timed phases alone and makes the results file.
 /// @return of rank 0; other ranks know nothing of it.
 /// @throws JournalFull (results.journal is whole), InputError as JournalWriter, plan_study; of
 /// several ranks FailedTogether on all, or anything else on one, which has to end the others.
-StudyOutcome run_journaled(const JournaledStudy& study, const SessionPolicy& policy, Ranks& ranks);
-
-/// Writes the rows so far as a results file, also while they are being made.
-/// @throws InputError naming the file; if it is the study's results file or a journal of it.
-StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path);
-
-/// Returns how it stands with a study that has begun, also while its rows are being made; reads all
-/// of them. @throws InputError as begun_study.
-StudyOutcome outcome_so_far(const JournaledStudy& study);
+StudyOutcome run_journaled(JournaledStudy study, SessionPolicy policy, Ranks& ranks);
 
 }  // namespace ar3d

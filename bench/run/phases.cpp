@@ -41,10 +41,10 @@ class MetricsSource final : public RowSource {
     const std::lock_guard<std::mutex> lock(mutex_);
     InstanceInHand& share = shares_[worker];
     while (share.next == share.runs.size()) {
-      const std::optional<std::size_t> place = next_place();
-      if (!place) return std::nullopt;
-      share.place = *place;
-      share.instance = std::make_shared<const PlannedInstance>(session().plan().instances[*place]);
+      if (begun_ == order_.size()) return std::nullopt;
+      share.place = order_[begun_++];
+      share.instance =
+          std::make_shared<const PlannedInstance>(session().plan().instances[share.place]);
       share.runs = runs_in_order(*share.instance, session());
       share.next = 0;
     }
@@ -61,12 +61,6 @@ class MetricsSource final : public RowSource {
     std::vector<const PlannedRun*> runs;
     std::size_t next = 0;
   };
-
-  std::optional<std::size_t> next_place() {
-    if (const auto& next = session().policy().next_instance) return next();
-    if (begun_ == order_.size()) return std::nullopt;
-    return order_[begun_++];
-  }
 
   std::mutex mutex_;
   LargestFirst order_;

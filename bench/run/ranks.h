@@ -2,16 +2,13 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/instruments.h"
 
 namespace ar3d {
-
-/// Gives out the next ticket, each once over all ranks; called by several threads at once.
-using Tickets = std::function<std::optional<std::size_t>()>;
 
 /// Describes a job that was made ready.
 struct Work {
@@ -54,15 +51,6 @@ class Ranks {
     agree(StepResult::done, nothing);
   }
 
-  /// Calls `use` on every rank with tickets for 0 .. work.size() - 1, roughly in this order;
-  /// work[i] is what ticket i costs in any unit. The tickets of a process that is alone are empty:
-  /// it may take all in any order.
-  virtual void share_out(const std::vector<double>& work,
-                         const std::function<void(const Tickets&)>& use) {
-    (void)work;
-    use({});
-  }
-
   /// Has, on rank 0, ranks 0 .. count - 1 make a job ready, wait for each other, and do it at the
   /// same time, by rank 0's clock; the others are in help() meanwhile.
   /// @throws InternalError what went wrong at one of them. @pre count <= size().
@@ -82,6 +70,22 @@ class Ranks {
   /// on its own and said why. Where it is alone, nothing happens.
   virtual void give_up(int exit_code) { (void)exit_code; }
 };
+
+/// Holds what one of several ranks failed at in a step that all do together; every one of them
+/// throws it.
+class FailedTogether : public InputError {
+ public:
+  FailedTogether(const std::string& what, bool journal_full)
+      : InputError(what), journal_full_(journal_full) {}
+  bool journal_full() const { return journal_full_; }  ///< as JournalFull
+
+ private:
+  bool journal_full_;
+};
+
+/// Does a step on all ranks; an InputError of one is one of all. What else is thrown is the rank's
+/// own: its caller ends them all (Ranks::give_up). @throws FailedTogether of several ranks.
+void together(Ranks& ranks, const std::function<void()>& step);
 
 /// Returns the processes that mpirun has started; in the program that is not made for it, this
 /// process alone. It is the program's own (apps/one_rank.cpp, apps/mpi/mpi_ranks.cpp).

@@ -104,8 +104,10 @@ void require_possible(const StudyPlan& plan, const SessionPolicy& policy) {
 void run_session(const StudyPlan& plan, const SessionPolicy& policy, const RowSink& sink) {
   require_possible(plan, policy);
   StudySession session(plan, policy, sink);
-  work_off(*metrics_source(session),
-           {.workers = policy.workers, .elsewhere = policy.workers_elsewhere, .cores = {}});
+  if (policy.metrics_phase) {
+    work_off(*metrics_source(session),
+             {.workers = policy.workers, .elsewhere = policy.workers_elsewhere, .cores = {}});
+  }
   if (policy.timed_phases && !session.stopped() && has_run(plan, is_timing)) {
     const std::uint32_t workers = plan.timing.concurrency;
     const std::unique_ptr<RowSource> rounds = timing_source(session);

@@ -28,12 +28,11 @@ struct SessionPolicy {
   int workers_elsewhere = 0;  ///< workers of the study's other processes in the metrics phase
   bool isolate = false;       ///< each row in a worker process; so it is too where rows have limits
   bool force_timing = false;  ///< time even in a build whose times are worth little
-  bool timed_phases = true;   ///< false: only the metrics phase (another process does the others)
+  bool metrics_phase = true;  ///< false: another process makes it, and so for the other phases
+  bool timed_phases = true;
   Ranks* ranks = nullptr;     ///< that batches are shared by; null: this process is alone
   std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
   std::string name = {};          ///< of the study, for the progress
-  /// Gives the place of the next instance for the metrics phase; empty: all, the largest first.
-  std::function<std::optional<std::size_t>()> next_instance = {};
 };
 
 /// Returns the workers of one process: as many as asked for; if 0 was, one for each core, or one

@@ -1,6 +1,6 @@
 // A study, its journals and its results file: who may write them when, and what is there at the
 // end.
-#include "ar3d/bench/keep/journaled_study.h"
+#include "ar3d/bench/keep/gather_rows.h"
 
 #include <functional>
 #include <map>
