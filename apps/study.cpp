@@ -74,9 +74,10 @@ bool count_drawings_of(const std::string& path) {
 
 // The last lines of a study that is whole: the verdict and where everything is.
 // @param unchanged  no row was made: the study had been whole before.
-int conclude(const JournaledStudy& study, bool force, bool unchanged) {
+int conclude(const JournaledStudy& study, const StudyOutcome& outcome, bool force, bool unchanged) {
   if (study.spec.count && !count_drawings_of(study.results)) return kInterrupted;
-  const StudyRows rows(study.results);
+  const StudyRows rows =
+      study.spec.count ? StudyRows(study.results) : StudyRows(outcome.in_hand, study.results);
   CheckVerdict verdict = judge(rows.view(), study.results);
   int exit_code = verdict.exit_code();
   nlohmann::ordered_json json = verdict_json(verdict, *rows.view().identity);
@@ -118,12 +119,12 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
   const StudyOutcome outcome = run_journaled(study, policy, ranks);
   if (!ranks.is_first()) return kPass;
   study.results = outcome.results;
-  if (outcome.complete()) return conclude(study, arguments.force, was_whole);
+  if (outcome.complete()) return conclude(study, outcome, arguments.force, was_whole);
   say(stderr, "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
       is_interrupted() ? "interrupted" : "not finished", outcome.rows, study.results,
       outcome.missing, shell_word(study.results));
   if (is_interrupted() && !manner.json) return kInterrupted;
-  const StudyRows rows(study.results);
+  const StudyRows rows(outcome.in_hand, study.results);
   const CheckVerdict verdict = judge(rows.view(), study.results);
   if (manner.json) print_json(verdict_json(verdict, *rows.view().identity));
   return is_interrupted() ? kInterrupted : verdict.exit_code();

@@ -216,6 +216,11 @@ StudyRows::StudyRows(const std::string& file) {
   }
 }
 
+StudyRows::StudyRows(std::shared_ptr<const RowsInHand> rows, const std::string& results)
+    : in_hand_(std::move(rows)), view_(in_hand_->view()) {
+  view_.file = results;
+}
+
 StudyRows::~StudyRows() = default;
 
 void StudyRows::view_results(const std::string& results) {

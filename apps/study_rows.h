@@ -10,6 +10,7 @@
 namespace ar3d {
 
 class RowCollection;
+class RowsInHand;
 
 /// Represents the rows of a study, wherever they are: in its results file or, while it is not
 /// finished, in its journals. `study run`, `resume` and `status`, `check` and `report` judge these
@@ -20,6 +21,8 @@ class StudyRows {
   /// @throws InputError naming the file if neither is there, or if what is there cannot be read, is
   /// damaged, or is no results file or journal.
   explicit StudyRows(const std::string& file);
+  /// @param rows  that were made just now, of that results file.
+  StudyRows(std::shared_ptr<const RowsInHand> rows, const std::string& results);
   ~StudyRows();
 
   /// Returns the rows; they stay valid while this lives. Memory: a few hundred rows; of
@@ -32,6 +35,7 @@ class StudyRows {
 
   std::unique_ptr<RunReader> reader_;
   std::unique_ptr<RowCollection> journals_;
+  std::shared_ptr<const RowsInHand> in_hand_;
   RowView view_;
 };
 

@@ -99,12 +99,28 @@ GatheredRows gather_rows(const StudyPlan& plan, const RowCollection& rows) {
   return gathered;
 }
 
-void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
-                    const RowCollection& rows, const std::string& path) {
-  const auto read = [&](std::size_t i, char* record) { rows.read(gathered.places[i], record); };
-  StudyIdentity described = identity;
-  described.planned_rows = static_cast<std::int64_t>(gathered.places.size() + gathered.missing);
-  write_results(described, rows.environment(), gathered.places.size(), read, path);
+RowsInHand::RowsInHand(RowCollection rows, GatheredRows gathered, const Shard& shard)
+    : rows_(std::move(rows)), gathered_(std::move(gathered)), identity_(rows_.identity()) {
+  identity_.shard = shard;
+  identity_.planned_rows = static_cast<std::int64_t>(gathered_.places.size() + gathered_.missing);
+}
+
+RowView RowsInHand::view() const {
+  return {&identity_, &rows_.environment(), gathered_.places.size(), identity_.planned_rows,
+          [this, algorithms = side_records<AlgorithmRecord>(identity_),
+           record = std::vector<char>(run_record_size()),
+           run = RunRecord()](std::size_t row) mutable -> const RunRecord& {
+            read(row, record.data());
+            run = load_record(record.data());
+            set_bounds(find_algorithm_record(algorithms, run.algorithm, run.options), run);
+            return run;
+          }};
+}
+
+void RowsInHand::write(const std::string& path) const {
+  write_results(
+      identity_, rows_.environment(), gathered_.places.size(),
+      [this](std::size_t i, char* record) { read(i, record); }, path);
 }
 
 RowCollection rows_so_far(const std::string& results) {
@@ -117,10 +133,14 @@ RowCollection rows_so_far(const std::string& results) {
 
 StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
                                const std::string& path) {
-  const RowCollection rows = rows_so_far(study.results);
-  const GatheredRows gathered = gather_rows(plan, rows);
-  write_gathered(rows.identity(), gathered, rows, path);
-  return gathered.outcome();
+  RowCollection rows = rows_so_far(study.results);
+  GatheredRows gathered = gather_rows(plan, rows);
+  StudyOutcome outcome = gathered.outcome();
+  const Shard shard = rows.identity().shard;
+  const auto in_hand = std::make_shared<RowsInHand>(std::move(rows), std::move(gathered), shard);
+  in_hand->write(path);
+  outcome.in_hand = in_hand;
+  return outcome;
 }
 
 StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path) {
@@ -174,9 +194,7 @@ StudyOutcome merge_study(const std::vector<std::string>& parts, const std::strin
   StudyOutcome outcome = gathered.outcome();
   outcome.missing_shards = missing_shards(rows.shards());
   if (!outcome.complete()) return outcome;
-  StudyIdentity identity = rows.identity();
-  identity.shard = {};
-  write_gathered(identity, gathered, rows, output);
+  RowsInHand(std::move(rows), gathered, Shard()).write(output);
   return outcome;
 }
 

@@ -33,10 +33,23 @@ struct GatheredRows {
 /// @throws InputError naming a row that the plan does not have.
 GatheredRows gather_rows(const StudyPlan& plan, const RowCollection& rows);
 
-/// Writes the gathered rows as a results file. Its planned_rows are those that it is complete with:
-/// the ones it has and the ones it lacks. @throws InputError as write_results.
-void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
-                    const RowCollection& rows, const std::string& path);
+/// Represents the gathered rows of a collection, which can be had also once its files are removed.
+/// Their planned_rows are those that they are complete with: the ones there and the missing ones.
+class RowsInHand {
+ public:
+  RowsInHand(RowCollection rows, GatheredRows gathered, const Shard& shard);
+  /// Returns the rows as those of the results file; they stay valid while this lives.
+  RowView view() const;
+  /// Writes them as a results file. @throws InputError as write_results.
+  void write(const std::string& path) const;
+
+ private:
+  void read(std::size_t i, char* record) const { rows_.read(gathered_.places[i], record); }
+
+  RowCollection rows_;
+  GatheredRows gathered_;
+  StudyIdentity identity_;
+};
 
 /// Writes the rows so far of a study with that plan as a results file.
 /// @throws InputError as rows_so_far, gather_rows, write_gathered.

@@ -9,7 +9,6 @@
 #include "ar3d/bench/keep/study_log.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/corpora.h"
-#include "ar3d/bench/run/batches.h"
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_reader.h"

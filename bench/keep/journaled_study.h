@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct JournaledStudy : Study {
   std::vector<RunStatus> again = {};
 };
 
+class RowsInHand;  // bench/keep/gather_rows.h
+
 /// Holds how it stands with a journaled study.
 struct StudyOutcome {
   std::size_t rows = 0;        ///< in the results file
@@ -31,6 +34,7 @@ struct StudyOutcome {
   std::string first_missing;   ///< key of one
   std::string missing_shards;  ///< "2, 5-8"; of a merged study
   std::string results = {};    ///< path of the results file, whose folder may have been moved
+  std::shared_ptr<const RowsInHand> in_hand = {};  ///< of a results file that was written
   bool complete() const { return missing == 0; }
 };
 

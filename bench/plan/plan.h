@@ -143,17 +143,8 @@ double work_of_row(const PlannedInstance& instance);
 /// Returns the work of all its rows.
 double work_of_instance(const PlannedInstance& instance);
 
-/// Represents the places of plan.instances, the most costly first, so that no large one is left to
-/// the end; equally costly ones in the plan's order. The plan outlives it.
-class LargestFirst {
- public:
-  explicit LargestFirst(const StudyPlan& plan);
-  std::size_t size() const { return size_; }
-  std::size_t operator[](std::size_t i) const;
-
- private:
-  std::vector<std::pair<std::size_t, const PlannedBlock*>> blocks_;  // first place in this order
-  std::size_t size_ = 0;
-};
+/// Returns the places of plan.instances, the most costly first, so that no large one is left to the
+/// end; equally costly ones in the plan's order.
+std::vector<std::uint32_t> largest_first(const StudyPlan& plan);
 
 }  // namespace ar3d

@@ -187,21 +187,20 @@ double work_of_instance(const PlannedInstance& instance) {
   return work_of_row(instance) * static_cast<double>(instance.runs.size());
 }
 
-LargestFirst::LargestFirst(const StudyPlan& plan) {
-  for (const PlannedBlock& block : plan.instances.blocks()) blocks_.emplace_back(0, &block);
-  std::stable_sort(blocks_.begin(), blocks_.end(), [](const auto& a, const auto& b) {
-    return work_of_instance(a.second->first) > work_of_instance(b.second->first);
+std::vector<std::uint32_t> largest_first(const StudyPlan& plan) {
+  std::vector<const PlannedBlock*> blocks;
+  for (const PlannedBlock& block : plan.instances.blocks()) blocks.push_back(&block);
+  std::ranges::stable_sort(blocks, std::greater(), [](const PlannedBlock* block) {
+    return work_of_instance(block->first);
   });
-  for (auto& [first, block] : blocks_) {
-    first = size_;
-    size_ += block->count;
+  std::vector<std::uint32_t> places;
+  places.reserve(plan.instances.size());
+  for (const PlannedBlock* block : blocks) {
+    for (std::size_t i = 0; i < block->count; ++i) {
+      places.push_back(static_cast<std::uint32_t>(block->first_place + i));  // at most 10^7
+    }
   }
-}
-
-std::size_t LargestFirst::operator[](std::size_t i) const {
-  expect(i < size_, "an order has that place");
-  const auto& [first, block] = last_from(blocks_, i, [](const auto& part) { return part.first; });
-  return block->first_place + (i - first);
+  return places;
 }
 
 }  // namespace ar3d

@@ -1,8 +1,6 @@
 // Strong and weak scaling. Threads and ranks share one kind of batch: warm-ups, one barrier, one
 // drawing after the other, and the hashes outside the clock; they differ in who hands out the rows
 // and whose clock it is.
-#include "ar3d/bench/run/batches.h"
-
 #include <fmt/ranges.h>
 
 #include <barrier>
@@ -11,10 +9,13 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/cores.h"
-#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/bench/run/execute.h"
+#include "ar3d/bench/run/row_message.h"
 
 namespace ar3d {
 namespace {
+
+constexpr char kDrawn = 'd';
 
 // The places that one rank draws of the rows of a batch which `count` ranks share.
 std::vector<std::size_t> places_of_rank(int rank, int count, std::size_t rows) {
@@ -159,9 +160,11 @@ class BatchDrawer {
     for (int rank = 0; rank < count; ++rank) {
       const std::string& text = done.told[static_cast<std::size_t>(rank)];
       const std::vector<std::size_t> places = places_of_rank(rank, count, rows.size());
-      expect(text.size() == places.size() * run_record_size(), "a rank tells its rows");
+      const std::size_t size = row_message_size();
+      expect(text.size() == places.size() * size, "a rank tells its rows");
       for (std::size_t i = 0; i < places.size(); ++i) {
-        made[places[i]] = load_record(text.data() + i * run_record_size());
+        const std::string_view bytes(text.data() + i * size, size);
+        expect(read_row_message(bytes, made[places[i]]) == kDrawn, "a rank tells its rows whole");
         made[places[i]].batch_s = done.wall_s;
       }
     }
@@ -191,11 +194,8 @@ class BatchDrawer {
     batch->warm_up();
     const auto counters = std::make_shared<HardwareCounters>();
     const auto tell = [batch] {
-      const std::vector<RunRecord> drawn = batch->take();
-      std::string text(drawn.size() * run_record_size(), '\0');
-      for (std::size_t i = 0; i < drawn.size(); ++i) {
-        store_record(drawn[i], text.data() + i * run_record_size());
-      }
+      std::string text;
+      for (const RunRecord& row : batch->take()) text += row_message(kDrawn, row);
       return text;
     };
     return {[batch, counters] {
@@ -320,7 +320,7 @@ MakeReady batch_parts(const StudyPlan& plan, int rank, const std::function<bool(
   return [drawer](const std::string& job) { return drawer->make_ready(job); };
 }
 
-void run_batches(StudySession& session) {
+void make_batches(StudySession& session) {
   const StudyPlan& plan = session.plan();
   BatchDrawer drawer(plan, 0, [&session] { return session.stopped(); });
   for (const PlannedBlock& block : plan.instances.blocks()) {

@@ -4,7 +4,8 @@
 #include <set>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/run/session.h"
+#include "ar3d/bench/measure/cores.h"
+#include "ar3d/bench/run/execute.h"
 
 namespace ar3d {
 double halves_difference(std::span<const double> values) {
@@ -35,7 +36,8 @@ std::vector<const PlannedRun*> runs_in_order(const PlannedInstance& instance,
 
 class MetricsSource final : public RowSource {
  public:
-  explicit MetricsSource(StudySession& session) : RowSource(session), order_(session.plan()) {}
+  explicit MetricsSource(StudySession& session)
+      : RowSource(session), order_(largest_first(session.plan())) {}
 
   std::optional<RowJob> next(int worker) override {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -63,7 +65,7 @@ class MetricsSource final : public RowSource {
   };
 
   std::mutex mutex_;
-  LargestFirst order_;
+  const std::vector<std::uint32_t> order_;
   std::size_t begun_ = 0;
   std::map<int, InstanceInHand> shares_;
 };
@@ -135,7 +137,8 @@ class TimingSource final : public RowSource {
     drawing.times.push_back(log_corrected_time(row));
   }
 
-  std::vector<EnvironmentEntry> ending() const override {
+  /// What is to be known of the phase when it is over.
+  std::vector<EnvironmentEntry> ending() const {
     std::size_t rounds = 0, stable = 0;
     bool has_more = false;
     for (const TimedDrawing& drawing : drawings_) {
@@ -212,12 +215,20 @@ class TimingSource final : public RowSource {
 
 }  // namespace
 
-std::unique_ptr<RowSource> metrics_source(StudySession& session) {
-  return std::make_unique<MetricsSource>(session);
+void make_metrics(StudySession& session) {
+  MetricsSource source(session);
+  const SessionPolicy& policy = session.policy();
+  execute(source, {.workers = policy.workers, .elsewhere = policy.workers_elsewhere, .cores = {}});
 }
 
-std::unique_ptr<RowSource> timing_source(StudySession& session) {
-  return std::make_unique<TimingSource>(session);
+void make_timing(StudySession& session) {
+  TimingSource source(session);
+  const std::uint32_t workers = session.plan().timing.concurrency;
+  const std::vector<int> allowed = allowed_cores();  // a system does its own work on the first ones
+  execute(source, {.workers = static_cast<int>(workers),
+                   .elsewhere = 0,
+                   .cores = {allowed.rbegin(), allowed.rbegin() + workers}});
+  for (const EnvironmentEntry& entry : source.ending()) session.note(entry);
 }
 
 }  // namespace ar3d

@@ -190,6 +190,7 @@ Drawing RowMaker::draw_timed(const PlannedRun& planned, const RowRequest& reques
   }
   run.warm_ups = request.warm_ups;
   if (request.warm_ups > 0) memory_.restart();
+  drawer_.take_times();  // of warm-ups
   Drawing drawing = timed_drawing(*graph_, choice, counters_, run);
   if (const auto own = drawer_.take_times()) {  // another process has drawn
     run.wall_s = own->wall_s;

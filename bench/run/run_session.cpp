@@ -11,10 +11,7 @@
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/processes.h"
-#include "ar3d/bench/plan/plan.h"
-#include "ar3d/bench/run/batches.h"
-#include "ar3d/bench/run/session.h"
-#include "ar3d/store/study_identity.h"
+#include "ar3d/bench/run/execute.h"
 
 namespace ar3d {
 namespace {
@@ -57,16 +54,6 @@ void work_in_threads(RowSource& source, const WorkerPool& pool) {
   in_threads(static_cast<std::uint32_t>(pool.workers), until_one_fails);
 }
 
-void work_off(RowSource& source, const WorkerPool& pool) {
-  const StudySession& session = source.session();
-  if (session.policy().isolate || session.plan().budget.limits_rows()) {
-    work_in_processes(source, pool);
-  } else {
-    const Orphanage orphanage;  // of programs that draw
-    work_in_threads(source, pool);
-  }
-}
-
 void require_ranks(const StudyPlan& plan, int ranks) {
   for (const PlannedBlock& block : plan.instances.blocks()) {
     for (const PlannedRun& run : block.first.runs) {
@@ -77,13 +64,17 @@ void require_ranks(const StudyPlan& plan, int ranks) {
   }
 }
 
-// Takes the last of the allowed cores, since a system does its own work on the first ones.
-std::vector<int> cores_for(std::uint32_t count) {
-  const std::vector<int> allowed = allowed_cores();
-  return {allowed.rbegin(), allowed.rbegin() + count};
-}
-
 }  // namespace
+
+void execute(RowSource& source, const WorkerPool& pool) {
+  const StudySession& session = source.session();
+  if (session.policy().isolate || session.plan().budget.limits_rows()) {
+    work_in_processes(source, pool);
+  } else {
+    const Orphanage orphanage;  // of programs that draw
+    work_in_threads(source, pool);
+  }
+}
 
 void require_possible(const StudyPlan& plan, const SessionPolicy& policy) {
   const std::string_view mark = build_kind();
@@ -104,20 +95,9 @@ void require_possible(const StudyPlan& plan, const SessionPolicy& policy) {
 void run_session(const StudyPlan& plan, const SessionPolicy& policy, const RowSink& sink) {
   require_possible(plan, policy);
   StudySession session(plan, policy, sink);
-  if (policy.metrics_phase) {
-    work_off(*metrics_source(session),
-             {.workers = policy.workers, .elsewhere = policy.workers_elsewhere, .cores = {}});
-  }
-  if (policy.timed_phases && !session.stopped() && has_run(plan, is_timing)) {
-    const std::uint32_t workers = plan.timing.concurrency;
-    const std::unique_ptr<RowSource> rounds = timing_source(session);
-    work_off(*rounds,
-             {.workers = static_cast<int>(workers), .elsewhere = 0, .cores = cores_for(workers)});
-    for (const EnvironmentEntry& entry : rounds->ending()) {
-      if (sink.note) sink.note(entry);
-    }
-  }
-  if (policy.timed_phases && !session.stopped()) run_batches(session);
+  if (policy.metrics_phase) make_metrics(session);
+  if (policy.timed_phases && !session.stopped() && has_run(plan, is_timing)) make_timing(session);
+  if (policy.timed_phases && !session.stopped()) make_batches(session);
   session.end();
 }
 

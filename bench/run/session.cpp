@@ -1,11 +1,10 @@
 // State that all phases of a session share: which rows are there, when to stop, and the line that
 // tells how far the study is.
-#include "ar3d/bench/run/session.h"
-
 #include <tuple>
 
 #include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/processes.h"
+#include "ar3d/bench/run/execute.h"
 
 namespace ar3d {
 namespace {

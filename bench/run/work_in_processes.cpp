@@ -1,14 +1,12 @@
 // Hands rows to worker processes, forked ones, and watches them. A row that crashes, takes too long
 // or too much memory costs its process only; time in which the whole study was frozen does not
-// count. Every message carries a checksum, because an algorithm under test may write into
-// descriptors that are not its own.
+// count.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <boost/scope_exit.hpp>
@@ -23,22 +21,14 @@
 #include "ar3d/base/system_calls.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/processes.h"
-#include "ar3d/bench/run/session.h"
-#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/bench/run/execute.h"
+#include "ar3d/bench/run/row_message.h"
 
 namespace ar3d {
 namespace {
 
 constexpr char kBegun = 'b';
 constexpr char kMade = 'm';
-
-// Checksum, tag and record.
-std::size_t message_size() { return sizeof(std::uint64_t) + 1 + run_record_size(); }
-
-std::uint64_t checksum_of(const std::string& message) {
-  return XXH3_64bits(message.data() + sizeof(std::uint64_t),
-                     message_size() - sizeof(std::uint64_t));
-}
 
 // How many processes the kernel has killed for want of memory since it was started.
 long long oom_kills() {
@@ -79,15 +69,6 @@ struct RowOrder {
 };
 static_assert(std::is_trivially_copyable_v<RowOrder>);  // it is sent as it stands in memory
 
-bool tell(int socket, char tag, const RunRecord& run) {
-  std::string message(message_size(), '\0');
-  message[sizeof(std::uint64_t)] = tag;
-  store_record(run, message.data() + sizeof(std::uint64_t) + 1);
-  const std::uint64_t checksum = checksum_of(message);
-  std::memcpy(message.data(), &checksum, sizeof(checksum));
-  return send_all(socket, message);
-}
-
 // Serves rows until the parent hangs up.
 void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) {
   const Pinning pinning(core);
@@ -113,10 +94,10 @@ void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) 
       };
       if (is_new) maker.prepare(instance);
       prepared = order.place;
-      if (!tell(socket, kBegun, maker.begun(planned))) return;
+      if (!send_all(socket, row_message(kBegun, maker.begun(planned)))) return;
       run = maker.make_row(planned, order.request);
     }
-    if (!tell(socket, kMade, run)) return;
+    if (!send_all(socket, row_message(kMade, run))) return;
   }
 }
 
@@ -151,7 +132,7 @@ struct WorkerEnd {
 struct Worker {
   // @throws InputError if the system has no process or descriptor left.
   Worker(const StudyPlan& plan, const WorkerPool& pool, int core) {
-    run_record_size();  // so that the columns are made once, by the parent
+    row_message_size();  // so that the columns are made once, by the parent
     child = Child::forked({.kept = descriptors_of_graphs(plan)}, [&](int socket) {
       serve(socket, plan, pool, core);
       return 0;
@@ -231,7 +212,7 @@ class WorkerPlace {
   bool look() {
     for (;;) {
       std::string& received = worker_->received;
-      while (received.size() < message_size()) {
+      while (received.size() < row_message_size()) {
         char bytes[4096];
         const ssize_t got = recv(worker_->child.socket(), bytes, sizeof bytes, 0);
         if (got < 0 && errno == EINTR) continue;
@@ -242,15 +223,14 @@ class WorkerPlace {
         }
         received.append(bytes, static_cast<std::size_t>(got));
       }
-      std::uint64_t checksum = 0;
-      std::memcpy(&checksum, received.data(), sizeof(checksum));
-      const char tag = received[sizeof(checksum)];
-      if (checksum != checksum_of(received) || (tag != kBegun && tag != kMade)) {
+      RunRecord row;
+      const std::string_view first(received.data(), row_message_size());
+      const std::optional<char> tag = read_row_message(first, row);
+      if (tag != kBegun && tag != kMade) {
         give_up({RunStatus::crashed, "its process wrote into the socket that rows come through"});
         return true;
       }
-      RunRecord row = load_record(received.data() + sizeof(checksum) + 1);
-      received.erase(0, message_size());
+      received.erase(0, row_message_size());
       if (tag == kMade) {
         source_.done(*job_, std::move(row));
         return true;

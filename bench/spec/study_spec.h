@@ -22,7 +22,7 @@
 namespace ar3d {
 
 /// Describes rounds of the timing phase, each with one repetition of a drawing: between `least` and
-/// `most`, until times are stable within the precision (timing_source); exactly `most` if it is 0.
+/// `most`, until times are stable within the precision (make_timing); exactly `most` if it is 0.
 struct TimedRepetitions {
   std::uint32_t least = 0;
   std::uint32_t most = 0;
@@ -86,8 +86,8 @@ struct FamilyChoice {
 struct AlgorithmChoice {
   const Algorithm* algorithm = nullptr;  ///< of the catalogue, or the program's row
   Settings options;
-  std::shared_ptr<const ExternalAlgorithm> owner = {};    ///< of the program's row
-  CertificateMode certificate = CertificateMode::exact;   ///< that judges its drawings
+  std::shared_ptr<const ExternalAlgorithm> owner = {};   ///< of the program's row
+  CertificateMode certificate = CertificateMode::exact;  ///< that judges its drawings
   Level level = Level::extents;
 };
 

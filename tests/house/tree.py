@@ -1,4 +1,5 @@
 """Rules that the files of the tree keep, each with a fault that is found: tree.py SOURCE BUILD AR3D [UNITTEST'S ARGUMENTS]."""
+import collections
 import functools
 import pathlib
 import re
@@ -247,6 +248,48 @@ class IncludeDirection(Rule):
 
     def test_only_store_includes_hdf5(self):
         self.expect_of_sources(OWN.replace("store|", "") + r"\.(h|cpp)", 300, lambda source: "#include <hdf5" in source)
+
+
+HELPER = re.compile(r"^(?:template <[^{}]*?>\n)?(?:(?:struct|class|enum class|enum) (\w+)[^;]*?[{=]|(?:inline |static )?constexpr [^;(){}=]*?(\w+)"
+                    r"(?:\[\w*\])?(?: =|\{)|(?!struct|class|enum|using|namespace|constexpr)[\w:][^;{}()=]*?[ &*](\w+)\(([^;{}]*)\)[^;{}()]*\{)", re.M)
+
+
+def helpers_of(source):
+    """What a file's anonymous namespaces define: namespace, name and, of a function, the types of its parameters."""
+    found = set()
+    for start in re.finditer(r"^namespace \{\n", source, re.M):
+        outer = re.findall(r"^namespace (ar3d[\w:]*) \{", source[:start.start()], re.M)
+        inner = source[start.end():].partition("\n}  // namespace\n")[0]
+        for type_name, constant, function, parameters in HELPER.findall(inner):
+            types = [re.sub(r"\s*=.*|\s*\b\w+$", "", part.strip()) for part in parameters.split(",")]
+            found.add((outer[-1] if outer else "", type_name or constant or function, ", ".join(types) if function else ""))
+    return found
+
+
+def clashes(files):
+    """Names of helpers that two sources of one folder define, which are compiled together."""
+    owners = collections.defaultdict(list)
+    for path in sorted(files):
+        if path.endswith(".cpp"):
+            for helper in helpers_of(files[path]):
+                owners[path.rpartition("/")[0], helper].append(path)
+    return sorted(f"{paths[0]} and {paths[1]}: {helper[1]}" for (_, helper), paths in owners.items() if len(paths) > 1)
+
+
+class HelperNames(Rule):
+    """Sources of a folder are compiled together: what their anonymous namespaces define has names of its own."""
+
+    def test_stand_once_in_a_folder(self):
+        production = {path: text for path, text in tree().items() if re.fullmatch(OWN, path)}
+        self.assertGreater(sum(len(helpers_of(text)) for text in production.values()), 1500)
+        self.assertEqual(clashes(production), [])
+
+    def test_that_clash_are_named_with_their_files(self):
+        one = "namespace ar3d {\nnamespace {\n\nint count(const Graph& a,\n          int b) {\n  return 1;\n}\n\n}  // namespace\n"
+        self.assertEqual(clashes({"a/x.cpp": one, "a/y.cpp": one.replace("Graph& a", "Graph& graph")}), ["a/x.cpp and a/y.cpp: count"])
+        for other in (one.replace("count", "sum"), one.replace("Graph", "Drawing"), one.replace("ar3d {", "ar3d::grid {")):
+            self.assertEqual(clashes({"a/x.cpp": one, "a/y.cpp": other}), [])
+        self.assertEqual(clashes({"a/x.cpp": one, "b/x.cpp": one}), [])
 
 
 class TestNames(Rule):

@@ -11,10 +11,10 @@ namespace ar3d::verify {
 namespace {
 
 constexpr std::uint32_t kOther = kSmallDirections + 1;
-constexpr std::int64_t kFar = std::int64_t{1} << 30;
+constexpr std::int64_t kFarInColumn = std::int64_t{1} << 30;
 
-bool is_near(Point p) {
-  const auto near = [](std::int64_t c) { return c > -kFar && c < kFar; };
+bool is_near_enough(Point p) {
+  const auto near = [](std::int64_t c) { return c > -kFarInColumn && c < kFarInColumn; };
   return near(p.x) && near(p.y) && in_range(p);
 }
 
@@ -47,10 +47,10 @@ ColumnProof::Heading ColumnProof::Heading::reversed() const {
 }
 
 bool ColumnProof::take_edge(Edge ends, const std::vector<Point>& points) {
-  if (!is_near(points[0])) return false;
+  if (!is_near_enough(points[0])) return false;
   Heading before;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if (!is_near(points[i]) || points[i] == points[i - 1]) return false;
+    if (!is_near_enough(points[i]) || points[i] == points[i - 1]) return false;
     if (!store(points[i - 1], points[i])) return false;
     const Heading ahead = heading(points[i] - points[i - 1]);
     if (!(i == 1 ? leave(ends.u, ahead) : take_neighbours(before.reversed(), ahead))) return false;
@@ -128,7 +128,7 @@ bool ColumnProof::take_vertices() {
     const auto v = static_cast<Vertex>(i);
     const Point p = drawing_.vertex(v);
     if (guarantee_.vertices_in_plane && p.z != 0) return false;
-    const bool keeps = stars_[i] != 0 ? take_star(v, next_other) : is_near(p) && store(p, p);
+    const bool keeps = stars_[i] != 0 ? take_star(v, next_other) : is_near_enough(p) && store(p, p);
     if (!keeps) return false;
   }
   return true;
