@@ -4,6 +4,7 @@
 // holds upside down. So each fork's direction is that of another one of the other kind, or known;
 // and such a chain ends, because it would else go around between two edges that cut the graph.
 // Cost: O(n log n), for the ancestors.
+#include <optional>
 #include <utility>
 
 #include "ar3d/algorithms/two_bend_120/growing_tree.h"
@@ -213,12 +214,14 @@ Orders find_orders(const CubicGraph& graph, const ForkOrder& numbering) {
     for (std::size_t i = 0; i < 3; ++i) near[(i + 4 - middle) % 3] = graph[v][i].to;
     return near;
   };
+  std::array<std::optional<NestedOrder>, 3> a, b;
   for (std::size_t trial = 0; trial < 9; ++trial) {  // Lemma F.6: one of them does
-    const auto above = neighbours(numbering.top(), trial % 3);
-    const auto below = neighbours(numbering.bottom(), (trial + trial / 3) % 3);
-    const NestedOrder a(numbering, true, above), b(numbering, false, below);
-    const std::vector<bool> backwards = directions(numbering, a, b);
-    Orders orders{a.sequence(backwards), b.sequence(backwards)};
+    const std::size_t i = trial / 3, j = trial % 3;
+    const auto above = neighbours(numbering.top(), i), below = neighbours(numbering.bottom(), j);
+    if (!a[i]) a[i].emplace(numbering, true, above);
+    if (!b[j]) b[j].emplace(numbering, false, below);
+    const std::vector<bool> backwards = directions(numbering, *a[i], *b[j]);
+    Orders orders{a[i]->sequence(backwards), b[j]->sequence(backwards)};
     if (median(orders.b, above) != above[1] && median(orders.a, below) != below[1]) return orders;
   }
   throw InternalError("internal error: one of nine outer orders keeps condition 4");

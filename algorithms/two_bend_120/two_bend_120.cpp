@@ -4,6 +4,7 @@
 #include "ar3d/algorithms/two_bend_120/two_bend_120.h"
 
 #include <algorithm>
+#include <boost/container/static_vector.hpp>
 #include <utility>
 
 #include "ar3d/algorithms/two_bend_120/placement.h"
@@ -15,6 +16,8 @@ namespace {
 constexpr std::uint32_t kMostVertices = 1u << 29;  // coordinates are then below 2^60
 
 Vector grid_direction(Direction d) { return to_grid(to_four(d)); }
+
+using Bends = boost::container::static_vector<Point, 2>;
 
 /// A component of what is left when triangles are contracted, its vertices renamed in the order of
 /// a breadth-first search.
@@ -46,7 +49,11 @@ class Painter {
     for (Vertex v = 0; v < graph_.num_vertices(); ++v) vertices.set(v, at_[v]);
     auto bends = std::make_shared<StoredBends>();
     bends->reserve(graph_.num_edges(), std::size_t{2} * graph_.num_edges());
-    for (const auto& line : bends_) bends->add_edge(line);
+    std::vector<Point> line;
+    for (const Bends& points : bends_) {
+      line.assign(points.begin(), points.end());
+      bends->add_edge(line);
+    }
     Drawing drawing{"two-bend-120", kCubeLattice, std::move(vertices), graph_.shared_edges(),
                     std::move(bends)};
     drawing.counters = {{"components", components_},
@@ -107,7 +114,7 @@ class Painter {
         stars_[core.nodes[v]][i] = grid_direction(placement.stars[v][i]);
       }
     }
-    for (const Vertex v : numbering.order) {
+    for (Vertex v = 0; v < core.graph.size(); ++v) {
       for (const HalfEdge& half : core.graph[v]) {
         // Upwards, so that each edge is drawn once.
         const FourVector& from = placement.at[v];
@@ -125,19 +132,19 @@ class Painter {
 
   /// @param from  the node at which the word begins.
   void set_word(EdgeId edge, Vertex from, const EdgeWord& word) {
-    std::vector<Point> bends;
+    Bends bends;
     Point p = at_[from];
     for (std::size_t i = 0; i < 2; ++i) {
       if (word.lengths[i] == 0) continue;
       p = p + word.lengths[i] * grid_direction(word.directions[i]);
       bends.push_back(p);
     }
-    set_bends(edge, from, std::move(bends));
+    set_bends(edge, from, bends);
   }
 
-  void set_bends(EdgeId edge, Vertex from, std::vector<Point> bends) {
+  void set_bends(EdgeId edge, Vertex from, Bends bends) {
     if (contraction_.ends[edge].u != from) std::reverse(bends.begin(), bends.end());
-    bends_[edge] = std::move(bends);
+    bends_[edge] = bends;
   }
 
   void draw_from_table(const Core& core);
@@ -149,7 +156,7 @@ class Painter {
   std::vector<Vertex> name_;  // per node: its name in its core
   std::vector<Point> at_;     // per node, as the next one
   std::vector<std::array<Vector, 3>> stars_;
-  std::vector<std::vector<Point>> bends_;  // per edge, from its end u
+  std::vector<Bends> bends_;  // per edge, from its end u
   std::int64_t components_ = 0, small_ = 0, largest_ = 0, next_x_ = 0;
 };
 
@@ -166,13 +173,13 @@ void Painter::draw_from_table(const Core& core) {
     std::size_t slot = 0;
     while (core.graph[u][slot].to != v) ++slot;
     const EdgeId edge = core.graph[u][slot].edge;
-    std::vector<Point> line;
+    Bends line;
     for (const Point p : bends) line.push_back(scaled(p));
     const Point first = bends.empty() ? small.at[v] : bends.front();
     const Point last = bends.empty() ? small.at[u] : bends.back();
     stars_[core.nodes[u]][slot] = primitive(first - small.at[u]);
     stars_[core.nodes[v]][slot_of(core.graph[v], edge)] = primitive(last - small.at[v]);
-    set_bends(edge, core.nodes[u], std::move(line));
+    set_bends(edge, core.nodes[u], line);
   }
 }
 

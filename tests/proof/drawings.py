@@ -5,7 +5,8 @@ import random
 import subprocess
 
 DEGREE = {"diamond": 4, "grid": 3, "grid-paper": 3, "two-bend": 3, "compact": 4, "compact-120": 3, "two-bend-109": 4}
-PIECES = {"lattice-109": ["diamond-lattice", "percolated-diamond-lattice"], "lattice-120": ["laves-graph", "percolated-laves-graph"]}
+PIECES = {"lattice-109": ["diamond-lattice", "percolated-diamond-lattice"], "lattice-120": ["laves-graph", "percolated-laves-graph"],
+          "two-bend-120": ["prism", "moebius-ladder"]}
 FAMILIES = {3: ["binary-tree", "prism", "moebius-ladder", "random-cubic", "random-subcubic", "stars", "path"],
             4: ["torus", "squared-cycle", "square-grid", "random-4-regular", "random-max-degree", "union-k5"]}
 
@@ -43,7 +44,7 @@ def small_graphs(ar3d, degree, most, count):
 
 
 def pieces(ar3d, algorithm, count):
-    """Pieces of a lattice with up to 31 vertices, as many or a few more."""
+    """Graphs with up to 31 vertices of families that the algorithm draws, as many or a few more."""
     lines = [run(ar3d, "generate", family, "-n", str(2 + i % 30), "--seed", str(i), "--format", "graph6").strip()
              for i in range(count // 2 + 1) for family in PIECES[algorithm]]
     return sorted(set(lines))
