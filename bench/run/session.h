@@ -20,7 +20,7 @@ struct SessionPolicy {
   bool force_timing = false;  ///< time even in a build whose times are worth little
   bool metrics_phase = true;  ///< false: its rows are made elsewhere
   bool timed_phases = true;   ///< false: so are those of the other phases
-  Ranks* ranks = nullptr;         ///< that batches are shared by; null: this process is alone
+  Ranks* ranks = nullptr;     ///< that batches are shared by; null: this process is alone
   std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
   std::string name = {};          ///< of the study, for the progress
 };

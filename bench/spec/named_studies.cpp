@@ -76,7 +76,8 @@ std::string movable_text(const Study& whole) {
   if (!has_graphs) return spec.text;
   toml::table study = parse_toml(spec.text, spec.name);
   for_each_sweep(study, [&](toml::table& sweep) {
-    if (toml::node* const graphs = sweep.get("graphs")) make_paths_absolute(*graphs, whole.files.folder);
+    if (toml::node* const graphs = sweep.get("graphs"))
+      make_paths_absolute(*graphs, whole.files.folder);
   });
   return text_of(study);
 }

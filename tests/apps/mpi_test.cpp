@@ -48,8 +48,8 @@ TEST_F(Mpi, FourRanksMakeTheSameRows) {
   std::string last;
   int graphs = 0;
   for (const ar3d::RunRecord& row : results.runs) {
-    const std::string graph = fmt::format("{} {} {} {}", row.family, row.parameters,
-                                          row.requested_n, row.instance_index);
+    const std::string graph =
+        fmt::format("{} {} {} {}", row.family, row.parameters, row.requested_n, row.instance_index);
     if (graph != std::exchange(last, graph)) ++graphs;
     EXPECT_EQ(rank_of_session[row.session], fmt::format("{} of 4", (graphs - 1) % 4)) << graph;
   }
