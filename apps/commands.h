@@ -24,6 +24,7 @@ void add_draw(CLI::App& app, int& exit_code);
 void add_view(CLI::App& app, int& exit_code);
 void add_play(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code);
+void add_optimum(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);

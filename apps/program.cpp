@@ -159,9 +159,9 @@ int run(int argc, char** argv) {
   ar3d::manner = {};
   ar3d::register_program_formats();
   using namespace ar3d;
-  for (const auto add :
-       {add_list, add_generate, add_draw, add_view, add_play, add_verify, add_study, add_check,
-        add_report, add_figures, add_compare, add_history, add_replay, add_hunt, add_shrink}) {
+  for (const auto add : {add_list, add_generate, add_draw, add_view, add_play, add_verify,
+                         add_optimum, add_study, add_check, add_report, add_figures, add_compare,
+                         add_history, add_replay, add_hunt, add_shrink}) {
     add(app, exit_code);
   }
   add_help(app);

@@ -22,6 +22,7 @@
 #include "batches.h"
 #include "commands.h"
 #include "options.h"
+#include "promise.h"
 #include "several_inputs.h"
 #include "view.h"
 
@@ -33,6 +34,7 @@ struct VerifyArguments {
   std::vector<std::string> graphs;
   GraphInput graphs_as;
   std::string algorithm;
+  PromiseArguments promise;
   std::string test = "automatic";
   std::string certificate = "exact";
 };
@@ -42,6 +44,13 @@ struct LineToJudge {
   std::string where;           // "FILE:LINE"
   std::optional<Graph> graph;  // of --graphs
 };
+
+/// The promise that a drawing is held to. @throws InputError as find_algorithm.
+Promise promise_of(const Drawing& drawing, const VerifyArguments& arguments) {
+  if (const auto given = promise_of(arguments.promise)) return *given;
+  const std::string& name = arguments.algorithm;
+  return {find_algorithm(name.empty() ? drawing.algorithm() : name).guarantee, true};
+}
 
 /// Names what becomes of a line.
 enum class LineVerdict {
@@ -65,20 +74,22 @@ JudgedLine judge(const LineToJudge& task, const VerifyArguments& arguments) {
     return {LineVerdict::not_drawn, fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
   }
   const Drawing& drawing = std::get<Drawing>(task.line);
-  if (arguments.algorithm.empty() && known_algorithm(drawing.algorithm()) == nullptr) {
-    return {LineVerdict::unknown,
-            fmt::format("{}: not judged: no algorithm here is called '{}'{} "
-                        "(--algorithm judges it by another one's guarantee)\n",
-                        task.where, printable(drawing.algorithm()),
-                        did_you_mean(drawing.algorithm(), names_of(algorithms())))};
+  if (arguments.algorithm.empty() && !arguments.promise.bends &&
+      known_algorithm(drawing.algorithm()) == nullptr) {
+    return {
+        LineVerdict::unknown,
+        fmt::format("{}: not judged: no algorithm here is called '{}'{} "
+                    "(--algorithm judges it by another one's guarantee, --bends by a promise)\n",
+                    task.where, printable(drawing.algorithm()),
+                    did_you_mean(drawing.algorithm(), names_of(algorithms())))};
   }
   try {
-    const Algorithm& algorithm =
-        find_algorithm(arguments.algorithm.empty() ? drawing.algorithm() : arguments.algorithm);
+    const Promise promise = promise_of(drawing, arguments);
     const Graph graph = task.graph ? *task.graph : claimed_graph(drawing);
     const Examination examination = examine(
-        graph, drawing, algorithm.guarantee, {.certificate = true, .metrics = false, .hash = false},
+        graph, drawing, promise.guarantee, {.certificate = true, .metrics = false, .hash = false},
         {.crossing_test = crossing_test(arguments.test),
+         .check_size = promise.has_box,
          .mode = parse_certificate_mode(arguments.certificate)});
     const Certificate& certificate = examination.certificate;
     std::string text;
@@ -156,6 +167,7 @@ int verify_drawings(const VerifyArguments& arguments) {
   // Before any work.
   parse_certificate_mode(arguments.certificate);
   if (!arguments.algorithm.empty()) find_algorithm(arguments.algorithm);
+  promise_of(arguments.promise);
   SeveralInputs<DrawingJsonlReader> drawings(arguments.inputs, [](const std::string& path) {
     return std::make_unique<DrawingJsonlReader>(path);
   });
@@ -201,8 +213,11 @@ void add_verify(CLI::App& app, int& exit_code) {
                "the graphs that were to be drawn, in the same order; may be repeated; else the "
                "drawings' own edges count");
   add_graph_input_options(*verb, arguments->graphs_as);
-  verb->add_option("--algorithm", arguments->algorithm,
-                   "whose guarantee to check; else the one the drawing names");
+  CLI::Option* algorithm =
+      verb->add_option("--algorithm", arguments->algorithm,
+                       "whose guarantee to check; else the one the drawing names");
+  add_promise_options(*verb, arguments->promise);
+  verb->get_option("--bends")->excludes(algorithm);
   CLI::Option* test = verb->add_option("--crossing-test", arguments->test,
                                        "automatic, all-pairs (the slow oracle) or slabs");
   test->check(one_of({"automatic", "all-pairs", "slabs"}));

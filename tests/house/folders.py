@@ -20,7 +20,7 @@ EXEMPT = {
     "tests/verify/arithmetic": "three sources that are compiled in another way, for one test",
 }
 # The large folders say what comes in, what goes out and which file to read first.
-WITH_README = ["algorithms", "analysis", "apps", "base", "bench", "formats", "generators", "model", "store", "tests", "tools", "verify"]
+WITH_README = ["algorithms", "analysis", "apps", "base", "bench", "formats", "generators", "model", "optimum", "store", "tests", "tools", "verify"]
 MOST_LINKS = 2
 
 

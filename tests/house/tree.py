@@ -11,7 +11,7 @@ import references
 
 SOURCE, BUILD, AR3D = sys.argv[1:4]
 BINARY = (".h5", ".csv", ".gz", ".xz", ".png", ".pdf")
-FOLDERS = ("algorithms", "analysis", "apps", "base", "bench", "formats", "generators", "model", "python", "store", "verify")
+FOLDERS = ("algorithms", "analysis", "apps", "base", "bench", "formats", "generators", "model", "optimum", "python", "store", "verify")
 OWN = rf"({'|'.join(FOLDERS)})/.*"
 
 

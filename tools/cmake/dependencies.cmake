@@ -19,6 +19,12 @@ pkg_search_module(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial hdf5)  # FindHDF5 as
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+# Optional: `ar3d optimum` then decides its formulas itself.
+find_path(CADICAL_INCLUDE_DIR cadical.hpp)
+find_library(CADICAL_LIBRARY cadical)
+if(NOT CADICAL_INCLUDE_DIR OR NOT CADICAL_LIBRARY)
+  message(STATUS "No CaDiCaL (libcadical-dev): `ar3d optimum` needs --solver")
+endif()
 if(AR3D_MPI)
   find_package(MPI REQUIRED COMPONENTS CXX)
 endif()

@@ -8,7 +8,7 @@ install(FILES ${CMAKE_SOURCE_DIR}/build/playground/play.html DESTINATION ${CMAKE
 if(AR3D_MPI)
   install(TARGETS ar3d_mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi OPTIONAL)  # where it was built
 endif()
-foreach(folder IN ITEMS base model formats generators algorithms verify store bench analysis)
+foreach(folder IN ITEMS base model formats generators algorithms verify optimum store bench analysis)
   install(DIRECTORY ${CMAKE_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ar3d COMPONENT dev
           FILES_MATCHING PATTERN "*.h")
 endforeach()

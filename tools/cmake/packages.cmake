@@ -33,8 +33,11 @@ endfunction()
 
 ar3d_package(program ar3d science "" "proved 3D drawings of low-degree graphs with optimal angles"
   "Draws graphs of maximum degree 3 and 4 in three dimensions with the best\npossible angles, proves drawings right in exact integers and studies how\ndrawings scale.")
+if(CADICAL_LIBRARY)
+  set(cadical "libcadical-dev, ")
+endif()
 ar3d_package(dev libar3d-dev libdevel
-  "libboost-dev, libcli11-dev, libfmt-dev, libhdf5-dev, liblzma-dev, libpugixml-dev, libtomlplusplus-dev, libxxhash-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev"
+  "${cadical}libboost-dev, libcli11-dev, libfmt-dev, libhdf5-dev, liblzma-dev, libpugixml-dev, libtomlplusplus-dev, libxxhash-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev"
   "proved 3D drawings of low-degree graphs (C++ libraries)"
   "Static libraries, headers and files for CMake and pkg-config: graphs,\nalgorithms, formats and the verifier of ar3d.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "git, nauty, python3-matplotlib")  # python3-matplotlib: ar3d figures
