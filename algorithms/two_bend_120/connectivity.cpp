@@ -98,23 +98,15 @@ void refuse_small_cuts(const Graph& graph) {
     const auto bits = bits_of_edges(graph, forest, seed);
     for (std::size_t i = 0; i < bits.size() && !accident; ++i) {
       const EdgeId e = bits[i].second;
-      if (bits[i].first == 0) {
-        if (connected_without(graph, e, e)) {
-          accident = true;
-        } else {
-          throw InputError(
-              fmt::format("{}, but edge {} is a bridge (vertices count from 0)", kDraws, name(e)));
-        }
-      } else if (i > 0 && bits[i - 1].first == bits[i].first) {
-        const EdgeId other = bits[i - 1].second;
-        if (connected_without(graph, e, other)) {
-          accident = true;
-        } else {
-          throw InputError(
-              fmt::format("{}, but edges {} and {} together cut one (vertices count from 0)",
-                          kDraws, name(other), name(e)));
-        }
-      }
+      const bool is_alone = bits[i].first == 0;
+      if (!is_alone && (i == 0 || bits[i - 1].first != bits[i].first)) continue;
+      const EdgeId other = is_alone ? e : bits[i - 1].second;
+      accident = connected_without(graph, e, other);
+      if (accident) continue;
+      const std::string cut =
+          is_alone ? fmt::format("edge {} is a bridge", name(e))
+                   : fmt::format("edges {} and {} together cut one", name(other), name(e));
+      throw InputError(fmt::format("{}, but {} (vertices count from 0)", kDraws, cut));
     }
   }
 }

@@ -15,9 +15,12 @@ inline constexpr Vertex kNoVertex = std::numeric_limits<Vertex>::max();
 /// the input. A half-edge's place among the three is its slot.
 using CubicGraph = std::vector<std::array<HalfEdge, 3>>;
 
-/// The slot of an edge among three half-edges.
+/// The slot of an edge among three half-edges, or edges.
 inline std::size_t slot_of(const std::array<HalfEdge, 3>& near, EdgeId edge) {
   return near[0].edge == edge ? 0 : near[1].edge == edge ? 1 : 2;
+}
+inline std::size_t slot_of(const std::array<EdgeId, 3>& edges, EdgeId edge) {
+  return edges[0] == edge ? 0 : edges[1] == edge ? 1 : 2;
 }
 
 /// Step F.1: refuses graphs with a component that is not cubic and 3-connected.
@@ -32,7 +35,10 @@ struct Nests {
   struct Nest {
     std::array<EdgeId, 3> edges{};
     std::array<std::uint32_t, 3> reach{1, 1, 1};  ///< Lemma F.8, by slot
-    std::array<Vertex, 3> corners{kNoVertex, kNoVertex, kNoVertex};
+    // Of contracted triangles:
+    std::array<Vertex, 3> corners{};
+    std::array<EdgeId, 3> sides{};         ///< side i is the one between the other two corners
+    std::array<std::uint32_t, 3> steps{};  ///< how far corner i stands off along edge i
   };
   std::vector<Nest> nodes;
   std::vector<Edge> ends;    ///< per edge: the nodes that hold its ends u and v when it is drawn

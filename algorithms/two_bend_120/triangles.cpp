@@ -2,6 +2,7 @@
 // at first, then the contracted ones, since a new triangle has one as a corner. In a 3-connected
 // cubic graph other than K4 the three edges of a triangle end in three other vertices, and
 // contraction leaves the graph simple, cubic and 3-connected. Cost: O(n).
+#include <algorithm>
 #include <utility>
 
 #include "ar3d/algorithms/two_bend_120/cubic.h"
@@ -55,6 +56,7 @@ class TriangleContractor {
   bool contract(std::array<Vertex, 3> corners, std::array<EdgeId, 3> sides) {
     Nests::Nest whole;
     whole.corners = corners;
+    whole.sides = sides;
     for (std::size_t i = 0; i < 3; ++i) {
       for (const EdgeId e : result_.nodes[corners[i]].edges) {
         if (e != sides[(i + 1) % 3] && e != sides[(i + 2) % 3]) whole.edges[i] = e;
@@ -63,16 +65,16 @@ class TriangleContractor {
     if (other_end(whole.edges[0], corners[0]) == other_end(whole.edges[1], corners[1])) {
       return false;
     }
-    // Lemma F.8: edge i leaves along direction i, which the side (i, j) has at corner j.
+    // Lemma F.8: edge i leaves along direction i, which side k, of corners i and j, has at corner j.
     const auto reach_of = [&](std::size_t corner, EdgeId e) {
-      const Nests::Nest& node = result_.nodes[corners[corner]];
-      return node.reach[node.edges[0] == e ? 0 : node.edges[1] == e ? 1 : 2];
+      const Nests::Nest& nest = result_.nodes[corners[corner]];
+      return nest.reach[slot_of(nest.edges, e)];
     };
     const auto name = static_cast<Vertex>(result_.nodes.size());
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      whole.reach[i] =
-          reach_of(i, whole.edges[i]) + std::max(reach_of(j, sides[k]), reach_of(k, sides[j]));
+      whole.steps[i] = std::max(reach_of(j, sides[k]), reach_of(k, sides[j]));
+      whole.reach[i] = reach_of(i, whole.edges[i]) + whole.steps[i];
       held_[corners[i]] = true;
       Edge& ends = result_.ends[whole.edges[i]];
       (ends.u == corners[i] ? ends.u : ends.v) = name;

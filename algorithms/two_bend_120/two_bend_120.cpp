@@ -186,48 +186,24 @@ void Painter::draw_from_table(const Core& core) {
 /// Step F.7: corner i of a triangle stands on its edge i, at the greatest reach of the other two in
 /// that direction; the side of corners i and j has one bend, at the sum of both steps.
 void Painter::open_triangles(std::vector<Vertex>& points, std::vector<EdgeId>& edges) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    while (points[i] >= graph_.num_vertices()) {
-      const Vertex whole = points[i];
-      const Nests::Nest& node = contraction_.nodes[whole];
-      std::array<Vector, 3> steps;
-      const auto side_of = [&](std::size_t j, std::size_t k) {
-        for (const EdgeId e : contraction_.nodes[node.corners[j]].edges) {
-          const auto& others = contraction_.nodes[node.corners[k]].edges;
-          if (std::find(others.begin(), others.end(), e) != others.end()) return e;
-        }
-        throw InternalError("internal error: two corners of a triangle share an edge");
-      };
-      const auto slot = [&](std::size_t corner, EdgeId e) {
-        const auto& own = contraction_.nodes[node.corners[corner]].edges;
-        return static_cast<std::size_t>(std::find(own.begin(), own.end(), e) - own.begin());
-      };
-      for (std::size_t j = 0; j < 3; ++j) {
-        std::int64_t length = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-          if (k == j) continue;
-          const auto& other = contraction_.nodes[node.corners[k]];
-          length = std::max<std::int64_t>(length, other.reach[slot(k, side_of(j, k))]);
-        }
-        steps[j] = length * stars_[whole][j];
+  for (std::size_t next = 0; next < points.size(); ++next) {
+    while (points[next] >= graph_.num_vertices()) {
+      const Nests::Nest& nest = contraction_.nodes[points[next]];
+      const Point at = at_[points[next]];
+      const std::array<Vector, 3> star = stars_[points[next]];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        const Vertex corner = nest.corners[i];
+        const auto& own = contraction_.nodes[corner].edges;
+        at_[corner] = at + std::int64_t{nest.steps[i]} * star[i];
+        stars_[corner][slot_of(own, nest.edges[i])] = star[i];
+        stars_[corner][slot_of(own, nest.sides[k])] = star[j];
+        stars_[corner][slot_of(own, nest.sides[j])] = star[k];
+        bends_[nest.sides[k]] = {at_[corner] + std::int64_t{nest.steps[j]} * star[j]};
       }
-      for (std::size_t j = 0; j < 3; ++j) {
-        const Vertex corner = node.corners[j];
-        at_[corner] = at_[whole] + steps[j];
-        stars_[corner][slot(j, node.edges[j])] = stars_[whole][j];
-        for (std::size_t k = 0; k < 3; ++k) {
-          if (k == j) continue;
-          const EdgeId side = side_of(j, k);
-          stars_[corner][slot(j, side)] = stars_[whole][k];
-          if (j < k) {
-            bends_[side] = {at_[whole] + steps[j] + steps[k]};
-            edges.push_back(side);
-          }
-        }
-      }
-      points[i] = node.corners[0];
-      points.push_back(node.corners[1]);
-      points.push_back(node.corners[2]);
+      edges.insert(edges.end(), nest.sides.begin(), nest.sides.end());
+      points.insert(points.end(), {nest.corners[1], nest.corners[2]});
+      points[next] = nest.corners[0];
     }
   }
 }
