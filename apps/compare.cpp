@@ -1,5 +1,5 @@
 // `ar3d compare`: two results files, or two builds that run in turns.
-#include "ar3d/analysis/compare.h"
+#include "ar3d/analysis/compare/compare.h"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"

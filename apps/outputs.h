@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/store/study_identity.h"
+#include "ar3d/store/columns/study_identity.h"
 
 namespace ar3d {
 

@@ -1,5 +1,5 @@
 // `ar3d report`: the page, and its tables as files of their own.
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/formats/text/output.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 
 namespace ar3d {
 

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/bench/keep/journaled_study.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ar3d/store/columns/row_key.h"
-#include "ar3d/store/study_identity.h"
+#include "ar3d/store/columns/study_identity.h"
 
 namespace ar3d {
 

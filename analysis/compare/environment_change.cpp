@@ -3,7 +3,7 @@
 #include <charconv>
 #include <set>
 
-#include "ar3d/analysis/compare.h"
+#include "ar3d/analysis/compare/compare.h"
 
 namespace ar3d {
 namespace {

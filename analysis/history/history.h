@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "ar3d/analysis/compare.h"
+#include "ar3d/analysis/compare/compare.h"
 #include "ar3d/analysis/compare/file_times.h"
 #include "ar3d/analysis/table.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 #include "ar3d/analysis/table.h"
 
 namespace ar3d::report {

@@ -1,5 +1,5 @@
 // Least squares with robust intervals, and the laws that are fitted with it.
-#include "ar3d/analysis/scaling.h"
+#include "ar3d/analysis/scaling/scaling.h"
 
 namespace ar3d {
 

@@ -13,7 +13,7 @@
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/formats/graphs/graph6.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/store/study_identity.h"
+#include "ar3d/store/columns/study_identity.h"
 
 namespace ar3d {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ar3d/base/new_file.h"
-#include "ar3d/store/study_identity.h"
+#include "ar3d/store/columns/study_identity.h"
 
 namespace ar3d {
 

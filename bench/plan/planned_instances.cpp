@@ -14,7 +14,7 @@
 #include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/store/study_identity.h"
+#include "ar3d/store/columns/study_identity.h"
 
 namespace ar3d {
 namespace {

@@ -7,7 +7,7 @@
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/ranks.h"
 #include "ar3d/store/columns/run_record.h"
-#include "ar3d/store/study_identity.h"
+#include "ar3d/store/columns/study_identity.h"
 
 namespace ar3d {
 

@@ -16,7 +16,7 @@
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/store/columns/side_tables.h"
-#include "ar3d/store/study_identity.h"
+#include "ar3d/store/columns/study_identity.h"
 #include "ar3d/verify/certificate.h"
 
 namespace ar3d {

@@ -8,7 +8,7 @@
 
 #include "ar3d/model/guarantee.h"
 #include "ar3d/store/columns/run_record.h"
-#include "ar3d/store/study_identity.h"
+#include "ar3d/store/columns/study_identity.h"
 
 namespace ar3d {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "ar3d/store/columns/row_key.h"
+#include "ar3d/store/columns/study_identity.h"
 #include "ar3d/store/columns/table.h"
-#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 

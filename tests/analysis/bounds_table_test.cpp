@@ -2,7 +2,7 @@
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/replay.h"
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d::testing {

@@ -1,5 +1,5 @@
 // Two results, one verdict: what has no noise first, then times.
-#include "ar3d/analysis/compare.h"
+#include "ar3d/analysis/compare/compare.h"
 
 #include <fmt/format.h>
 

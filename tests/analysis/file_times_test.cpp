@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "ar3d/analysis/compare.h"
+#include "ar3d/analysis/compare/compare.h"
 #include "synthetic.h"
 
 namespace ar3d::testing {

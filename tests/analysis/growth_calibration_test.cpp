@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <functional>
 
-#include "ar3d/analysis/scaling.h"
+#include "ar3d/analysis/scaling/scaling.h"
 #include "synthetic.h"
 
 namespace ar3d::testing {

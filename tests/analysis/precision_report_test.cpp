@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "analysis/synthetic.h"
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d::testing {

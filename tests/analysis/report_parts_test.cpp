@@ -2,7 +2,7 @@
 #include <set>
 
 #include "analysis/synthetic.h"
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 
 namespace ar3d::testing {
 namespace {

@@ -1,5 +1,5 @@
 // The tables of a report, and the page that holds them.
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 
 #include <cmath>
 #include <fstream>

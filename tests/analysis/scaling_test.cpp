@@ -1,4 +1,4 @@
-#include "ar3d/analysis/scaling.h"
+#include "ar3d/analysis/scaling/scaling.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 #include "ar3d/base/random.h"
 #include "ar3d/store/run_storage.h"
 #include "support/tables.h"

@@ -6,8 +6,8 @@
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/check.h"
-#include "ar3d/analysis/report.h"
-#include "ar3d/analysis/scaling.h"
+#include "ar3d/analysis/report/report.h"
+#include "ar3d/analysis/scaling/scaling.h"
 #include "ar3d/analysis/statistics.h"
 #include "ar3d/store/columns/side_tables.h"
 

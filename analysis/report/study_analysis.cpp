@@ -1,5 +1,5 @@
 // Bounds beside what was measured, and all else that report and exports show, computed once.
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 
 namespace ar3d {
 namespace {

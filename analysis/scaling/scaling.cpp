@@ -1,7 +1,7 @@
 // Decides what may be said of a growth: a power law, one with a logarithm, or only an apparent
 // exponent. The rules are those of docs/analysis.md, Growth; where none holds, the entry says which
 // sizes would decide.
-#include "ar3d/analysis/scaling.h"
+#include "ar3d/analysis/scaling/scaling.h"
 
 #include <fmt/format.h>
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "ar3d/analysis/check.h"
-#include "ar3d/analysis/compare.h"
-#include "ar3d/analysis/scaling.h"
+#include "ar3d/analysis/compare/compare.h"
+#include "ar3d/analysis/scaling/scaling.h"
 #include "ar3d/analysis/table.h"
 #include "ar3d/analysis/tally.h"
 

@@ -1,6 +1,6 @@
 // The tables of a study, and the page that shows them: a template of the tree with tables, style and
 // scripts put in.
-#include "ar3d/analysis/report.h"
+#include "ar3d/analysis/report/report.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // What makes rows belong to one study, and how shards are written.
-#include "ar3d/store/study_identity.h"
+#include "ar3d/store/columns/study_identity.h"
 
 #include <xxhash.h>
 

@@ -1,7 +1,7 @@
 // Two results are paired cell by cell. What has no noise is judged first: verdicts, sizes, counts.
 // Times decide only where counts are missing, and only if both files hold enough of them. The
 // verdict of the whole is the heaviest of its cells.
-#include "ar3d/analysis/compare.h"
+#include "ar3d/analysis/compare/compare.h"
 
 #include <fmt/format.h>
 
