@@ -82,8 +82,8 @@ bool comes_first(const Finding& a, const Finding& b) {
 /// Counts what is found, row by row, and keeps the first findings.
 class FindingList {
  public:
-  explicit FindingList(const RowView& rows)
-      : show_(rows), violated_(rows.count), touched_(rows.count) {}
+  explicit FindingList(const Rows& rows)
+      : show_(rows), violated_(rows.size()), touched_(rows.size()) {}
 
   /// @param run  the finding's row; null if it concerns the whole file.
   void add(Finding finding, const RunRecord* run) {
@@ -124,16 +124,18 @@ class FindingList {
   std::vector<Finding> kept_;
 };
 
-void add_whole_file(const RowView& rows, bool any_drawn, FindingList& findings) {
+void add_whole_file(const Rows& rows, bool any_drawn, FindingList& findings) {
   if (!any_drawn) {
-    const std::string what = rows.count == 0 ? "nothing measured: the file has no rows"
-                                             : "nothing measured: no row was drawn";
+    const std::string what = rows.size() == 0 ? "nothing measured: the file has no rows"
+                                              : "nothing measured: no row was drawn";
     findings.add({FindingKind::nothing_measured, {}, what}, nullptr);
   }
-  if (const auto missing = rows.planned - static_cast<std::int64_t>(rows.count); missing > 0) {
-    findings.add(
-        {FindingKind::missing, {}, fmt::format("{} of {} rows are missing", missing, rows.planned)},
-        nullptr);
+  if (const auto missing = rows.identity().planned_rows - static_cast<std::int64_t>(rows.size());
+      missing > 0) {
+    findings.add({FindingKind::missing,
+                  {},
+                  fmt::format("{} of {} rows are missing", missing, rows.identity().planned_rows)},
+                 nullptr);
   }
 }
 
@@ -217,15 +219,15 @@ bool breaks_promise(const RunRecord& run) {
                      [](const Finding& finding) { return is_violation(finding.kind); });
 }
 
-CheckVerdict check(const RowView& rows) {
+CheckVerdict check(const Rows& rows) {
   CheckVerdict verdict;
-  verdict.rows = rows.count;
+  verdict.rows = rows.size();
   bool any_drawn = false;
   FindingList findings(rows);
-  std::vector<bool> is_ok(rows.count);
-  std::vector<Fingerprint> prints(rows.count);
-  for (std::size_t row = 0; row < rows.count; ++row) {
-    const RunRecord& run = rows.read(row);
+  std::vector<bool> is_ok(rows.size());
+  std::vector<Fingerprint> prints(rows.size());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const RunRecord& run = rows.run(row);
     for (Finding& finding : row_findings(run, row)) findings.add(std::move(finding), &run);
     is_ok[row] = run.status == RunStatus::ok && !is_unproved(run);
     verdict.unproved += is_unproved(run);

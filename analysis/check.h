@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d {
 
@@ -64,12 +64,12 @@ struct CheckVerdict {
 
 /// Looks at every row, once and in file order, and again at those whose repetitions differ. Cost:
 /// O(r log r) time for r rows, 33 bytes per row.
-CheckVerdict check(const RowView& rows);
+CheckVerdict check(const Rows& rows);
 
 /// Refuses rows that cannot be of one study: its graphs of one family, parameters, n and index have
 /// one seed, keys of rows are unique and not zero, and there are no more rows than planned.
 /// @throws InputError naming `path` and the rows. Memory: 24 bytes per graph and per row.
-void require_one_study(const RowView& rows, const std::string& path);
+void require_one_study(const Rows& rows, const std::string& path);
 
 /// Returns which graph, drawn how: rows that agree in it are repetitions.
 std::string repetition_key(const RunRecord& run);
@@ -88,7 +88,7 @@ using FindingSink = std::function<void(Finding, const RunRecord&)>;
 
 /// Finds measurements that stand twice and repetitions that differ. Only rows whose fingerprints
 /// are suspicious are read. @param sorted  the fingerprints of all rows.
-void find_in_repetitions(const RowView& rows, const std::vector<Fingerprint>& sorted,
+void find_in_repetitions(const Rows& rows, const std::vector<Fingerprint>& sorted,
                          const FindingSink& found);
 
 /// Returns true if the row alone shows a broken bound or certificate.

@@ -80,7 +80,7 @@ Fingerprint fingerprint_of(const RunRecord& run, std::size_t row) {
   return print;
 }
 
-void find_in_repetitions(const RowView& rows, const std::vector<Fingerprint>& sorted,
+void find_in_repetitions(const Rows& rows, const std::vector<Fingerprint>& sorted,
                          const FindingSink& found) {
   std::vector<KeyRows> suspicious = suspicious_keys(sorted);
   // In the order of the file, where reading is cheap.
@@ -92,7 +92,7 @@ void find_in_repetitions(const RowView& rows, const std::vector<Fingerprint>& so
         std::tuple<std::string, std::string, std::string, RunPhase, std::int64_t, std::int64_t>>
         measured;
     for (const Fingerprint& print : key) {
-      const RunRecord& run = rows.read(print.row);
+      const RunRecord& run = rows.run(print.row);
       const std::string drawing = repetition_key(run);
       if (!measured
                .insert({drawing, run.level, asked_certificate(run), run.phase, run.scale,
@@ -111,7 +111,7 @@ void find_in_repetitions(const RowView& rows, const std::vector<Fingerprint>& so
   }
 }
 
-void require_one_study(const RowView& rows, const std::string& path) {
+void require_one_study(const Rows& rows, const std::string& path) {
   const auto identity_of = [](const RunRecord& run) {
     return fmt::format("{}\n{}\n{}\n{}", run.family, run.parameters, run.n, run.instance_index);
   };
@@ -119,8 +119,8 @@ void require_one_study(const RowView& rows, const std::string& path) {
   std::vector<std::tuple<std::size_t, std::uint64_t, std::size_t>> graphs;
   std::vector<std::pair<RowKey, std::size_t>> keys;
   std::string former;  // neighbours are mostly of one graph
-  for (std::size_t row = 0; row < rows.count; ++row) {
-    const RunRecord& run = rows.read(row);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const RunRecord& run = rows.run(row);
     if (!run.row_key.empty()) keys.emplace_back(parse_row_key(run.row_key), row);
     if (run.n < 0) continue;
     std::string identity = identity_of(run);
@@ -129,9 +129,11 @@ void require_one_study(const RowView& rows, const std::string& path) {
     former = std::move(identity);
   }
   require_keys(std::move(keys), path);
-  if (rows.planned >= 0 && rows.count > static_cast<std::size_t>(rows.planned)) {
+  if (rows.identity().planned_rows >= 0 &&
+      rows.size() > static_cast<std::size_t>(rows.identity().planned_rows)) {
     throw InputError(fmt::format("{}: {} rows, but its study plans {}: there is no row {}", path,
-                                 rows.count, rows.planned, rows.planned));
+                                 rows.size(), rows.identity().planned_rows,
+                                 rows.identity().planned_rows));
   }
   std::sort(graphs.begin(), graphs.end());
   for (std::size_t i = 1; i < graphs.size(); ++i) {
@@ -139,8 +141,8 @@ void require_one_study(const RowView& rows, const std::string& path) {
     const auto& [next_identity, next_seed, next_row] = graphs[i];
     if (identity != next_identity || seed == next_seed) continue;
     const auto [first, second] = std::minmax(row, next_row);
-    const RunRecord run = rows.read(first);
-    if (identity_of(run) != identity_of(rows.read(second))) continue;
+    const RunRecord run = rows.run(first);
+    if (identity_of(run) != identity_of(rows.run(second))) continue;
     throw InputError(fmt::format(
         "{}: rows {} and {} are of different studies: {}, n = {}, instance {} has two seeds", path,
         first, second, one_line(run.family), run.n, run.instance_index));

@@ -35,12 +35,12 @@ std::string draw_command(const RunRecord& run) {
   return draw_command(curve_of(run), run.n >= 0 ? run.n : run.requested_n, run.seed);
 }
 
-ShowCommand::ShowCommand(const RowView& rows) : file_(rows.file) {
-  for (const GraphFileRecord& file : side_records<GraphFileRecord>(*rows.identity)) {
+ShowCommand::ShowCommand(const Rows& rows) : file_(rows.file) {
+  for (const GraphFileRecord& file : side_records<GraphFileRecord>(rows.identity())) {
     families_.insert(file.name);
   }
   constexpr std::string_view kProgram = "program_";
-  for (const EnvironmentEntry& entry : *rows.environment) {
+  for (const EnvironmentEntry& entry : rows.environment()) {
     if (entry.name.starts_with(kProgram)) programs_.insert(entry.name.substr(kProgram.size()));
   }
 }

@@ -23,7 +23,7 @@ std::pair<std::string, std::string> draw_command_parts(const CurveKey& key);
 /// file (/graph_files), or where a program of the study's own ("program_NAME") draws it.
 class ShowCommand {
  public:
-  explicit ShowCommand(const RowView& rows);
+  explicit ShowCommand(const Rows& rows);
   bool is_of_file(const std::string& family) const { return families_.contains(family); }
   bool needs_results(const CurveKey& key) const {
     return is_of_file(key.family) || programs_.contains(key.algorithm);

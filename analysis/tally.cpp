@@ -63,6 +63,7 @@ std::int64_t counter_of(const RunRecord& run, const std::string& name) {
 DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n, bool has_own_unit) {
   static const std::vector<Column> columns = columns_of_kind(ColumnKind::metric);
   static const Column relative = run_column("log2_relative_volume");
+  const std::vector<char> record = metrics_record(run);
   DrawnGraph graph;
   graph.row = row;
   graph.n = n;
@@ -77,10 +78,12 @@ DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n, bo
   graph.theorem_bound = run.theorem_bound;
   graph.published_bound = run.published_bound;
   graph.log2_volume = run.log2_volume;
-  graph.log2_relative_volume = column_number(relative, run);
+  graph.log2_relative_volume = column_number(relative, record.data());
   if (has_own_unit) take_relative_size(graph);
   graph.metrics.reserve(columns.size());
-  for (const Column& column : columns) graph.metrics.push_back(column_number(column, run));
+  for (const Column& column : columns) {
+    graph.metrics.push_back(column_number(column, record.data()));
+  }
   return graph;
 }
 
@@ -334,10 +337,10 @@ double SizeTally::mean_log(Quantity quantity, bool timed) const {
   return log_count[place] == 0 ? kMissing : log_sum[place] / static_cast<double>(log_count[place]);
 }
 
-StudyTally tally_of(const RowView& rows, const std::vector<bool>& is_last_repetition) {
-  Tallying tallying(*rows.identity);
-  for (std::size_t row = 0; row < rows.count; ++row) {
-    tallying.add(rows.read(row), row, is_last_repetition[row]);
+StudyTally tally_of(const Rows& rows, const std::vector<bool>& is_last_repetition) {
+  Tallying tallying(rows.identity());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    tallying.add(rows.run(row), row, is_last_repetition[row]);
   }
   return tallying.finish();
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ar3d/store/columns/curves.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d {
 
@@ -172,6 +172,6 @@ struct StudyTally {
 /// Tallies all rows.
 /// @param is_last_repetition  of check(rows). Cost: O(r) expected for r rows in any order; the
 /// memory of graphs whose repetitions are not all read yet comes on top.
-StudyTally tally_of(const RowView& rows, const std::vector<bool>& is_last_repetition);
+StudyTally tally_of(const Rows& rows, const std::vector<bool>& is_last_repetition);
 
 }  // namespace ar3d

@@ -74,8 +74,8 @@ int make_figures(const FiguresArguments& arguments) {
                   .streams = false};
   files.outputs.push_back(tables);
   refuse_unsafe_outputs(files);
-  const StudyRows rows(arguments.results);
-  const StudyAnalysis analysis = analyse(rows.view());
+  const Rows rows = rows_of_study(arguments.results);
+  const StudyAnalysis analysis = analyse(rows);
   std::error_code error;
   std::filesystem::create_directories(arguments.folder, error);
   if (error) {

@@ -65,19 +65,19 @@ std::string program_version_of(const std::vector<EnvironmentEntry>& environment)
 
 /// Returns the commit, or the name, of what the results are a measurement of.
 /// @throws InputError if they stand for no commit as a whole.
-std::string measured_version(const HistoryArguments& arguments, const RunReader& reader) {
+std::string measured_version(const HistoryArguments& arguments, const Rows& rows) {
   constexpr std::string_view kDirty = "-dirty";
-  const StudyIdentity& study = reader.identity();
-  std::string version = program_version_of(reader.environment());
+  const StudyIdentity& study = rows.identity();
+  std::string version = program_version_of(rows.environment());
   const bool is_ours = version.empty();
   const bool is_dirty = is_ours ? study.dirty : version.ends_with(kDirty);
   if (is_ours) version = study.source_hash;
   if (!is_ours && is_dirty) version.resize(version.size() - kDirty.size());
-  const auto rows = static_cast<std::int64_t>(reader.size());
-  if (rows == 0) throw InputError(fmt::format("{} has no rows", arguments.results));
-  if (study.planned_rows > rows) {
+  const auto count = static_cast<std::int64_t>(rows.size());
+  if (count == 0) throw InputError(fmt::format("{} has no rows", arguments.results));
+  if (study.planned_rows > count) {
     throw InputError(fmt::format("{} is of a study that is not finished: {} of {} rows",
-                                 arguments.results, rows, study.planned_rows));
+                                 arguments.results, count, study.planned_rows));
   }
   if (is_dirty && arguments.name.empty()) {
     throw InputError(
@@ -117,15 +117,15 @@ void refuse_copies(const std::string& results, const std::string& folder,
 }
 
 int add_results(const HistoryArguments& arguments) {
-  const RunReader reader(arguments.results);
-  const StudyIdentity& study = reader.identity();
-  const std::string own = measured_version(arguments, reader);
+  const Rows rows(arguments.results);
+  const StudyIdentity& study = rows.identity();
+  const std::string own = measured_version(arguments, rows);
   const std::int64_t place = place_of(arguments, own);
   const std::string name = !arguments.name.empty() ? arguments.name
                            : is_commit(own)        ? own.substr(0, kHashDigits)
                                                    : own;
   const std::string path =
-      arguments.folder + "/" + history_file_name(place, name, study, reader.environment());
+      arguments.folder + "/" + history_file_name(place, name, study, rows.environment());
   refuse_unsafe_outputs({.inputs = {arguments.results},
                          .outputs = {path},
                          .force = arguments.force,

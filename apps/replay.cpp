@@ -15,7 +15,7 @@
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"

@@ -39,10 +39,9 @@ int write_report(const ReportArguments& arguments) {
     refuse_foreign_ending(*csv, {".csv", ".txt"});
   }
   refuse_foreign_ending(arguments.json, {".json"});
-  const StudyRows rows(arguments.results);
-  const RowView& view = rows.view();
-  const StudyAnalysis analysis = analyse(view, judge(view, arguments.results));
-  const SinceReference since = since_reference(view, arguments.reference);
+  const Rows rows = rows_of_study(arguments.results);
+  const StudyAnalysis analysis = analyse(rows, judge(rows, arguments.results));
+  const SinceReference since = since_reference(rows, arguments.reference);
   const ShownDrawings drawings = shown_drawings(analysis);
   const auto write = [](const std::string& to, const auto& make) {
     if (!to.empty()) write_file_atomically(to, make());
@@ -53,12 +52,12 @@ int write_report(const ReportArguments& arguments) {
   write(arguments.growth, [&] { return scaling_csv(analysis); });
   if (!arguments.rows.empty()) {
     OutputFile file(arguments.rows);
-    rows_csv(view, [&](std::string_view text) { file.append(text); });
+    rows_csv(rows, [&](std::string_view text) { file.append(text); });
     file.commit();
   }
   if (!manner.json) say("{}", verdict_line(analysis.verdict));
   note(stdout, "report   {}\n", path);
-  if (view.count == 0) {
+  if (rows.size() == 0) {
     say(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments.results);
   }
   return analysis.verdict.exit_code();

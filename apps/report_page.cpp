@@ -23,19 +23,10 @@ constexpr std::int64_t kMostEdges = 1000, kMostVertices = 4000, kMostGraphs = 10
 /// Rows that a page compares; they are held in memory.
 constexpr std::size_t kMostCompared = 200'000;
 
-Results in_memory(const RowView& rows) {
-  Results results;
-  static_cast<StudyIdentity&>(results) = *rows.identity;
-  results.environment = *rows.environment;
-  results.runs.reserve(rows.count);
-  for (std::size_t row = 0; row < rows.count; ++row) results.runs.push_back(rows.read(row));
-  return results;
-}
-
 /// Compares with that file. @throws InputError as compare and read_results.
-SinceReference since(const RowView& rows, const std::string& reference) {
+SinceReference since(const Rows& rows, const std::string& reference) {
   SinceReference found;
-  if (rows.count > kMostCompared || RunReader(reference).size() > kMostCompared) {
+  if (rows.size() > kMostCompared || Rows(reference).size() > kMostCompared) {
     found.why_none =
         fmt::format("a page compares at most {} rows; ar3d compare has no limit.", kMostCompared);
     return found;
@@ -47,13 +38,13 @@ SinceReference since(const RowView& rows, const std::string& reference) {
   return found;
 }
 
-SinceReference since_committed(const RowView& rows) {
+SinceReference since_committed(const Rows& rows) {
   SinceReference none;
   try {
-    const std::string reference = committed_reference(rows.identity->study_id);
+    const std::string reference = committed_reference(rows.identity().study_id);
     if (!reference.empty()) return since(rows, reference);
     none.why_none =
-        fmt::format("results/reference has no results of study '{}'.", rows.identity->study_id);
+        fmt::format("results/reference has no results of study '{}'.", rows.identity().study_id);
   } catch (const InputError& error) {
     none.why_none = std::string(error.what()) + ".";
   }
@@ -86,7 +77,7 @@ std::string committed_reference(const std::string& study_id) {
   }
   std::sort(named.rbegin(), named.rend());
   for (const std::string& path : named) {  // "0.1.0-compact-volume.h5" ends like a "volume"
-    if (RunReader(path).identity().study_id == study_id) return path;
+    if (Rows(path).identity().study_id == study_id) return path;
   }
   return {};
 }
@@ -96,14 +87,14 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
   std::string text;
   ViewerPage page([&](std::string_view piece) { text += piece; });
   const std::size_t empty = text.size();
-  const StudyOrigin origin = study_origin(*analysis.rows.identity);
+  const StudyOrigin origin = study_origin(analysis.rows.identity());
   std::set<std::string> too_large;  // files that a page does not read
-  for (const GraphFileRecord& file : side_records<GraphFileRecord>(*analysis.rows.identity)) {
+  for (const GraphFileRecord& file : side_records<GraphFileRecord>(analysis.rows.identity())) {
     if (file.graphs > kMostGraphs) too_large.insert(file.name);
   }
   for (const std::size_t place : rows_to_show(analysis, kMostDrawings, kMostEdges)) {
     if (text.size() - empty > kMostBytes) break;
-    const RunRecord row = analysis.rows.read(place);
+    const RunRecord row = analysis.rows.run(place);
     if (too_large.contains(row.family)) continue;
     const std::optional<Drawing> drawing = drawn_again(row, origin);
     if (!drawing) continue;
@@ -123,7 +114,7 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
   return shown;
 }
 
-SinceReference since_reference(const RowView& rows, const std::string& reference) {
+SinceReference since_reference(const Rows& rows, const std::string& reference) {
   return reference.empty() ? since_committed(rows) : since(rows, reference);
 }
 

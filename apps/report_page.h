@@ -10,7 +10,7 @@ namespace ar3d {
 /// @param reference  the results file to compare with; empty: the youngest committed one of the
 /// same study, if the working directory is in a checkout and has one.
 /// @throws InputError if the given reference cannot be read or is of another study.
-SinceReference since_reference(const RowView& rows, const std::string& reference);
+SinceReference since_reference(const Rows& rows, const std::string& reference);
 
 /// Returns drawings of the graphs that come closest to their bounds, made again from their rows: at
 /// most 200 of at most 1,000 edges each, as long as they take fewer than 300,000 bytes. A graph of

@@ -73,14 +73,14 @@ bool count_drawings_of(const std::string& path) {
 }
 
 // The last lines of a study that is whole: the verdict and where everything is.
+// @param made  the rows, in the order of the results file.
 // @param unchanged  no row was made: the study had been whole before.
-int conclude(const JournaledStudy& study, const StudyOutcome& outcome, bool force, bool unchanged) {
+int conclude(const JournaledStudy& study, Rows made, bool force, bool unchanged) {
   if (study.spec.count && !count_drawings_of(study.results)) return kInterrupted;
-  const StudyRows rows =
-      study.spec.count ? StudyRows(study.results) : StudyRows(outcome.in_hand, study.results);
-  CheckVerdict verdict = judge(rows.view(), study.results);
+  const Rows rows = study.spec.count ? Rows(study.results) : std::move(made);
+  CheckVerdict verdict = judge(rows, study.results);
   int exit_code = verdict.exit_code();
-  nlohmann::ordered_json json = verdict_json(verdict, *rows.view().identity);
+  nlohmann::ordered_json json = verdict_json(verdict, rows.identity());
   json["results"] = study.results;
   tell(json, "{}", summary(verdict));
   note(stdout, "results  {}\n", study.results);
@@ -90,15 +90,15 @@ int conclude(const JournaledStudy& study, const StudyOutcome& outcome, bool forc
     note(stdout, "times    not measured: {} does\n",
          study.spec.name == kGraphsStudy ? "--timed N" : "`timed_repetitions` in a sweep");
   }
-  if (!manner.json) say("{}", left_out_text(*rows.view().identity));
+  if (!manner.json) say("{}", left_out_text(rows.identity()));
   if (study.shard.count > 1) {
     note(stdout, "shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
          study.shard.index, study.shard.count);
   } else {
-    write_report(study.results, analyse(rows.view(), std::move(verdict)));
+    write_report(study.results, analyse(rows, std::move(verdict)));
     if (study.spec.keep_drawings != KeptDrawings::none) {
-      const int kept = keep_drawings_beside(study.results, rows.view(), study.spec.keep_drawings,
-                                            force, unchanged);
+      const int kept =
+          keep_drawings_beside(study.results, rows, study.spec.keep_drawings, force, unchanged);
       if (exit_code == kPass) exit_code = kept;
     }
   }
@@ -116,17 +116,18 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
   const bool was_whole = ranks.is_first() && study.seed_from_results && study.again.empty() &&
                          study.spec.keep_drawings != KeptDrawings::none &&
                          outcome_so_far(study).complete();
-  const StudyOutcome outcome = run_journaled(study, policy, ranks);
+  StudyOutcome outcome = run_journaled(study, policy, ranks);
   if (!ranks.is_first()) return kPass;
   study.results = outcome.results;
-  if (outcome.complete()) return conclude(study, outcome, arguments.force, was_whole);
+  if (outcome.complete()) {
+    return conclude(study, std::move(*outcome.in_hand), arguments.force, was_whole);
+  }
   say(stderr, "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
       is_interrupted() ? "interrupted" : "not finished", outcome.rows, study.results,
       outcome.missing, shell_word(study.results));
   if (is_interrupted() && !manner.json) return kInterrupted;
-  const StudyRows rows(outcome.in_hand, study.results);
-  const CheckVerdict verdict = judge(rows.view(), study.results);
-  if (manner.json) print_json(verdict_json(verdict, *rows.view().identity));
+  const CheckVerdict verdict = judge(*outcome.in_hand, study.results);
+  if (manner.json) print_json(verdict_json(verdict, outcome.in_hand->identity()));
   return is_interrupted() ? kInterrupted : verdict.exit_code();
 }
 

@@ -5,7 +5,7 @@
 
 #include "ar3d/bench/run/session.h"
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "options.h"
 
 namespace ar3d {
@@ -46,7 +46,7 @@ int keep_drawings(const std::string& results, KeptDrawings kept, const std::stri
 /// stands there is replaced if it is a file of drawings or `force` is given; else nothing is
 /// written. Where no row was made since (`unchanged`), a file of drawings stays as it is, too.
 /// @return kPass, or kRegression if a drawing could not be kept, which is said on standard error.
-int keep_drawings_beside(const std::string& results, const RowView& rows, KeptDrawings kept,
+int keep_drawings_beside(const std::string& results, const Rows& rows, KeptDrawings kept,
                          bool force, bool unchanged);
 
 }  // namespace ar3d

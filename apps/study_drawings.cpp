@@ -17,7 +17,7 @@
 #include "ar3d/bench/run/row_maker.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"
@@ -27,7 +27,7 @@
 namespace ar3d {
 namespace {
 
-int write_drawings(const std::string& path, const RowView& rows, KeptDrawings kept) {
+int write_drawings(const std::string& path, const Rows& rows, KeptDrawings kept) {
   OutputFile file(path);
   const KeptOutcome outcome = write_kept_drawings(rows, kept, file);
   for (const std::string& problem : outcome.problems) {
@@ -110,19 +110,18 @@ void add_draw_counted(CLI::App& study) {
 int keep_drawings(const std::string& results, KeptDrawings kept, const std::string& output,
                   bool force) {
   const std::string path = output.empty() ? drawings_path(results) : output;
-  const StudyRows rows(results);
-  refuse_unsafe_outputs({.inputs = files_of_study(*rows.view().identity, results),
-                         .outputs = {path},
-                         .force = force});
+  const Rows rows = rows_of_study(results);
+  refuse_unsafe_outputs(
+      {.inputs = files_of_study(rows.identity(), results), .outputs = {path}, .force = force});
   if (const std::string format = drawing_format("", path).name; format != "jsonl") {
     throw InputError(fmt::format(
         "-o {}: JSON lines are written, not {}; `ar3d draw` and `replay` of a ROW write others",
         path, format));
   }
-  return write_drawings(path, rows.view(), kept);
+  return write_drawings(path, rows, kept);
 }
 
-int keep_drawings_beside(const std::string& results, const RowView& rows, KeptDrawings kept,
+int keep_drawings_beside(const std::string& results, const Rows& rows, KeptDrawings kept,
                          bool force, bool unchanged) {
   const std::string path = drawings_path(results);
   if (unchanged && std::filesystem::exists(path) && may_be_replaced(path)) {

@@ -12,7 +12,6 @@
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/journal/journal_reader.h"
-#include "ar3d/store/row_collection.h"
 #include "commands.h"
 #include "outputs.h"
 #include "study.h"
@@ -56,9 +55,9 @@ Standing standing_now(const std::string& file) {
   const std::string results = results_path_of(file);
   Standing standing;
   if (rows_are_in_results(results)) {
-    const RunReader reader(results);
-    standing.identity = reader.identity();
-    standing.rows = reader.size();
+    const Rows rows(results);
+    standing.identity = rows.identity();
+    standing.rows = rows.size();
     return standing;
   }
   for (const std::string& path : existing_journals(results)) {
@@ -158,14 +157,14 @@ int show(const StatusArguments& arguments) {
     if (!manner.json) print_details(standing, arguments.file);
     return kIncomplete;
   }
-  const StudyRows rows(arguments.file);
-  standing.rows = rows.view().count;
-  standing.identity.planned_rows = rows.view().planned;
-  const CheckVerdict verdict = judge(rows.view(), arguments.file);
+  const Rows rows = rows_of_study(arguments.file);
+  standing.rows = rows.size();
+  standing.identity.planned_rows = rows.identity().planned_rows;
+  const CheckVerdict verdict = judge(rows, arguments.file);
   if (!manner.json) print_details(standing, arguments.file);
   nlohmann::ordered_json json = standing_json(standing);
-  json["check"] = verdict_json(verdict, *rows.view().identity);
-  tell(json, "{}{}", verdict_line(verdict), left_out_text(*rows.view().identity));
+  json["check"] = verdict_json(verdict, rows.identity());
+  tell(json, "{}{}", verdict_line(verdict), left_out_text(rows.identity()));
   return verdict.exit_code();
 }
 
@@ -201,51 +200,18 @@ nlohmann::ordered_json verdict_json(const CheckVerdict& verdict, const StudyIden
           {"findings", findings}};
 }
 
-StudyRows::StudyRows(const std::string& file) {
+Rows rows_of_study(const std::string& file) {
   const std::string results = results_path_of(file);
-  view_.file = results;
-  if (rows_are_in_results(results)) {
-    view_results(results);
-    return;
-  }
+  if (rows_are_in_results(results)) return Rows(results);
   try {
-    view_journals(file, results);
+    Rows rows(existing_journals(results));
+    rows.file = results;
+    rows.identity().planned_rows = planned_rows(file, rows.identity());
+    return rows;
   } catch (const InputError&) {  // a study that ends takes its journals away
     if (!rows_are_in_results(results)) throw;
-    view_results(results);
+    return Rows(results);
   }
-}
-
-StudyRows::StudyRows(std::shared_ptr<const RowsInHand> rows, const std::string& results)
-    : in_hand_(std::move(rows)), view_(in_hand_->view()) {
-  view_.file = results;
-}
-
-StudyRows::~StudyRows() = default;
-
-void StudyRows::view_results(const std::string& results) {
-  reader_ = std::make_unique<RunReader>(results);
-  view_ = view_of(*reader_);
-  view_.file = results;
-}
-
-void StudyRows::view_journals(const std::string& file, const std::string& results) {
-  journals_ = std::make_unique<RowCollection>();
-  for (const std::string& journal : existing_journals(results)) journals_->add(journal);
-  journals_->close();
-  const StudyIdentity& identity = journals_->identity();
-  view_.identity = &identity;
-  view_.environment = &journals_->environment();
-  view_.count = journals_->size();
-  view_.planned = planned_rows(file, identity);
-  view_.read = [rows = journals_.get(), algorithms = side_records<AlgorithmRecord>(identity),
-                record = std::vector<char>(run_record_size()),
-                run = RunRecord()](std::size_t row) mutable -> const RunRecord& {
-    rows->read(row, record.data());
-    run = load_record(record.data());
-    set_bounds(find_algorithm_record(algorithms, run.algorithm, run.options), run);
-    return run;
-  };
 }
 
 std::string left_out_text(const StudyIdentity& identity) {
@@ -255,12 +221,10 @@ std::string left_out_text(const StudyIdentity& identity) {
                      read, given);
 }
 
-CheckVerdict judge(const RowView& rows, const std::string& file) {
+CheckVerdict judge(const Rows& rows, const std::string& file) {
   require_one_study(rows, file);
   CheckVerdict verdict = check(rows);
-  if (verdict.unproved > 0 && rows.identity != nullptr) {
-    verdict.accepts_unproved = accepts_unproved(rows.identity->spec);
-  }
+  if (verdict.unproved > 0) verdict.accepts_unproved = accepts_unproved(rows.identity().spec);
   return verdict;
 }
 
@@ -296,10 +260,10 @@ void add_check(CLI::App& app, int& exit_code) {
       "proves.\nExample: ar3d check "
       "smoke.h5");
   verb->callback([path, accepts_unproved, &exit_code] {
-    const StudyRows rows(*path);
-    CheckVerdict verdict = judge(rows.view(), *path);
+    const Rows rows = rows_of_study(*path);
+    CheckVerdict verdict = judge(rows, *path);
     verdict.accepts_unproved = verdict.accepts_unproved || *accepts_unproved;
-    const StudyIdentity& identity = *rows.view().identity;
+    const StudyIdentity& identity = rows.identity();
     tell(verdict_json(verdict, identity), "{}{}", summary(verdict), left_out_text(identity));
     exit_code = verdict.exit_code();
   });

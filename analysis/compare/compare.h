@@ -10,7 +10,7 @@
 #include "ar3d/analysis/compare/pairing.h"
 #include "ar3d/analysis/compare/time_change.h"
 #include "ar3d/store/columns/curves.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ar3d/store/columns/curves.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d {
 

@@ -100,12 +100,12 @@ const char* to_string(Measure measure) {
   return kNames[static_cast<std::size_t>(measure)];
 }
 
-CellTable cell_values(const RowView& rows) {
+CellTable cell_values(const Rows& rows) {
   CellTable table;
   std::map<std::pair<CurveKey, std::int64_t>, GraphTable> cells;
   std::array<std::vector<double>, 3> yardsticks;
-  for (std::size_t row = 0; row < rows.count; ++row) {
-    const RunRecord& run = rows.read(row);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const RunRecord& run = rows.run(row);
     if (is_batched(run.phase)) continue;
     if (run.status != RunStatus::ok && run.status != RunStatus::measured) ++table.unfinished;
     table.rows_at_a_time = std::max(table.rows_at_a_time, static_cast<double>(run.concurrency));

@@ -70,15 +70,15 @@ ReadResults read_one(const fs::path& path) {
   ReadResults read;
   read.commit.file = path.string();
   read_file_name(path, read.commit);
-  RunReader reader(path.string());
-  read.commit.source_hash = reader.identity().source_hash;
-  read.commit.study = reader.identity().study_id;
-  read.commit.created = reader.identity().created;
-  read.files = side_records<GraphFileRecord>(reader.identity());
-  read.environment = lasting_settings(reader.environment());
-  read.table = cell_values(view_of(reader));
+  const Rows rows(path.string());
+  read.commit.source_hash = rows.identity().source_hash;
+  read.commit.study = rows.identity().study_id;
+  read.commit.created = rows.identity().created;
+  read.files = side_records<GraphFileRecord>(rows.identity());
+  read.environment = lasting_settings(rows.environment());
+  read.table = cell_values(rows);
   read.commit.unfinished = read.table.unfinished;
-  const std::string load = load_of_other_work(reader.environment(), read.table.rows_at_a_time);
+  const std::string load = load_of_other_work(rows.environment(), read.table.rows_at_a_time);
   if (!read.table.build_kind.empty()) {
     read.commit.untimed = fmt::format("a {} build", one_line(read.table.build_kind));
   } else if (!load.empty() && std::isnan(log_slowness(read.table))) {

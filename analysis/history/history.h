@@ -55,7 +55,7 @@ struct CellTable {
 
 /// Passes once over the rows; those of batches (strong, weak) are left out. Memory: that of the
 /// graphs. Cost: O(r log r) for r rows.
-CellTable cell_values(const RowView& rows);
+CellTable cell_values(const Rows& rows);
 
 /// Holds times of one study in one environment, over its results in their order.
 struct TimeSeries {

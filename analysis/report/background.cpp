@@ -132,7 +132,7 @@ void add_background(TableMaker& make) {
   add_metrics(make);
   add_scaling(make);
   Table& table = make.table("environment");
-  for (const EnvironmentEntry& entry : *make.analysis.rows.environment) {
+  for (const EnvironmentEntry& entry : make.analysis.rows.environment()) {
     table.add({entry.name, entry.value});
   }
 }

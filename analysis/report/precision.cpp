@@ -94,8 +94,10 @@ class RealDrawings {
   }
 
   void add(const RunRecord& run, std::size_t row) {
-    const auto value = [&](const Column& column) { return column_number(column, run); };
-    if (run.repetition > 0 || !(value(miss_) >= 0)) return;
+    if (run.repetition > 0) return;
+    const std::vector<char> record = metrics_record(run);
+    const auto value = [&](const Column& of) { return column_number(of, record.data()); };
+    if (!(value(miss_) >= 0)) return;
     const auto curve = places_.find(curve_of(run));
     if (table_.size() == (make_.all ? kMostReal : kMostRealOfPage) || curve == places_.end()) {
       ++left_out_;
@@ -147,13 +149,13 @@ class RealDrawings {
 }  // namespace
 
 void add_precision(TableMaker& make) {
-  const RowView& rows = make.analysis.rows;
+  const Rows& rows = make.analysis.rows;
   const bool is_all_proved = make.analysis.verdict.unproved == 0;  // then only levels are sought
-  const std::size_t count = is_all_proved ? std::min(rows.count, kMostLookedAt) : rows.count;
+  const std::size_t count = is_all_proved ? std::min(rows.size(), kMostLookedAt) : rows.size();
   RealDrawings real(make);
   Judged judged;
   for (std::size_t row = 0; row < count; ++row) {
-    const RunRecord& run = rows.read(row);
+    const RunRecord& run = rows.run(row);
     if (run.status != RunStatus::ok && run.status != RunStatus::violated) continue;
     if (run.n < 1 || run.phase != RunPhase::metrics) continue;
     add_judgement(run, judged);

@@ -80,7 +80,7 @@ std::vector<Table> report_tables(const StudyAnalysis& analysis, const SinceRefer
 
 std::string render_report(const StudyAnalysis& analysis, const SinceReference& since,
                           const ShownDrawings& drawings) {
-  return render_page("report", analysis.rows.identity->study_id,
+  return render_page("report", analysis.rows.identity().study_id,
                      report_tables(analysis, since, drawings, false), drawings.packed_page,
                      drawings.script_hashes);
 }
@@ -108,7 +108,7 @@ std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t
     if (finding.row && rows.size() < report::kShownFindings) add(*finding.row);
   }
   for (const std::size_t row : report::collection_outliers(report::sections(analysis))) {
-    if (rows.size() < most && analysis.rows.read(row).m <= most_edges) add(row);
+    if (rows.size() < most && analysis.rows.run(row).m <= most_edges) add(row);
   }
   for (auto* shares : {&first_rows, &other_rows}) {
     std::ranges::stable_sort(*shares, std::greater(), &std::pair<double, std::size_t>::first);
@@ -129,7 +129,7 @@ std::string scaling_csv(const StudyAnalysis& analysis) {
   return table_csv(table_named("growth", tables));
 }
 
-void rows_csv(const RowView& rows, const TextSink& write) {
+void rows_csv(const Rows& rows, const TextSink& write) {
   const std::vector<Column> metrics = columns_of_kind(ColumnKind::metric);
   std::string csv =
       "row,key,algorithm,options,family,parameters,graph_name,group,instance,n,m,seed,status,"
@@ -140,8 +140,9 @@ void rows_csv(const RowView& rows, const TextSink& write) {
   }
   write(csv + "\r\n");
   const auto integer = [](std::int64_t value) { return value < 0 ? "" : std::to_string(value); };
-  for (std::size_t row = 0; row < rows.count; ++row) {
-    const RunRecord& run = rows.read(row);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const RunRecord& run = rows.run(row);
+    const std::vector<char> record = metrics_record(run);
     std::vector<std::string> fields = {std::to_string(row),
                                        run.row_key,
                                        csv_field(run.algorithm),
@@ -157,8 +158,8 @@ void rows_csv(const RowView& rows, const TextSink& write) {
                                        to_string(run.status),
                                        csv_field(run.certificate)};
     for (const Column& metric : metrics) {
-      const bool is_missing = std::isnan(column_number(metric, run));
-      fields.push_back(is_missing ? "" : column_text(metric, run));
+      const bool is_missing = std::isnan(column_number(metric, record.data()));
+      fields.push_back(is_missing ? "" : column_text(metric, record.data()));
     }
     for (const std::int64_t bound : run.instance_bound) fields.push_back(integer(bound));
     for (const auto& values : {run.theorem_bound, run.published_bound, run.slack}) {

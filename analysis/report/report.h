@@ -21,16 +21,16 @@ std::optional<std::size_t> worst_axis(const CurveTally& curve);
 
 /// Describes everything that report and exports show of a study, computed once. `rows` outlives it.
 struct StudyAnalysis {
-  RowView rows;
+  const Rows& rows;
   CheckVerdict verdict;
   StudyTally tally;
   std::vector<ScalingEntry> scaling;
 };
 
 /// Reads every row again. @param verdict  on these rows. Cost: that of tally_of and scaling.
-StudyAnalysis analyse(const RowView& rows, CheckVerdict verdict);
+StudyAnalysis analyse(const Rows& rows, CheckVerdict verdict);
 /// Analyses the rows with check(rows).
-StudyAnalysis analyse(const RowView& rows);
+StudyAnalysis analyse(const Rows& rows);
 
 /// Holds what the study was compared with, or why with nothing.
 struct SinceReference {
@@ -80,7 +80,7 @@ std::string bounds_csv(const StudyAnalysis& analysis);
 
 /// Writes every row: all metrics of verify/metrics/metrics.h, its own bound, the theorem's, the
 /// published one, and the slack against the theorem's.
-void rows_csv(const RowView& rows, const TextSink& write);
+void rows_csv(const Rows& rows, const TextSink& write);
 
 /// Returns the growth of every quantity of every curve, one line each: exponent with 95 % interval,
 /// log exponent with its own, label, reason and the sizes that were fitted.

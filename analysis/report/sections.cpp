@@ -44,7 +44,7 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
   }
   const ShowCommand commands(analysis.rows);
   const std::vector<AlgorithmRecord> records =
-      side_records<AlgorithmRecord>(*analysis.rows.identity);
+      side_records<AlgorithmRecord>(analysis.rows.identity());
   std::vector<Section> sections;
   std::map<std::string, std::size_t> index_of;
   for (std::size_t place = 0; place < analysis.tally.curves.size(); ++place) {
@@ -107,7 +107,7 @@ void GraphList::add(std::size_t curve, const CensoredRow& row) {
 
 void GraphList::add_row(std::size_t row) {
   if (rows_.contains(row)) return;
-  const RunRecord run = analysis.rows.read(row);
+  const RunRecord run = analysis.rows.run(row);
   const auto at = std::ranges::find(analysis.tally.curves, curve_of(run), &CurveTally::key);
   if (at == analysis.tally.curves.end()) return;
   DrawnGraph graph;

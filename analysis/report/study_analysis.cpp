@@ -87,15 +87,15 @@ std::optional<std::size_t> worst_axis(const CurveTally& curve) {
   return worst;
 }
 
-StudyAnalysis analyse(const RowView& rows, CheckVerdict verdict) {
+StudyAnalysis analyse(const Rows& rows, CheckVerdict verdict) {
   StudyTally tally = tally_of(rows, verdict.is_last_repetition);
   StudyAnalysis analysis{rows, std::move(verdict), std::move(tally), {}};
-  add_bounds(*rows.identity, analysis.tally);
+  add_bounds(rows.identity(), analysis.tally);
   analysis.scaling = scaling(analysis.tally);
-  refuse_laws_above_theorems(*rows.identity, analysis.scaling);
+  refuse_laws_above_theorems(rows.identity(), analysis.scaling);
   return analysis;
 }
 
-StudyAnalysis analyse(const RowView& rows) { return analyse(rows, check(rows)); }
+StudyAnalysis analyse(const Rows& rows) { return analyse(rows, check(rows)); }
 
 }  // namespace ar3d

@@ -14,7 +14,7 @@ constexpr std::array kFrontQuantities = {Quantity::longest_side, Quantity::volum
                                          Quantity::wall_s};
 
 void add_study(TableMaker& make) {
-  const StudyIdentity& study = *make.analysis.rows.identity;
+  const StudyIdentity& study = make.analysis.rows.identity();
   const StudyTally& tally = make.analysis.tally;
   const auto [read, given] = file_counts(study);
   make.table("study").add({study.study_id, study.created, study.source_hash, study.dirty,

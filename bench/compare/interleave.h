@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d {
 

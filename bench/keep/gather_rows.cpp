@@ -11,9 +11,9 @@
 namespace ar3d {
 namespace {
 
-void refuse_unknown_row(const GatheredRows& gathered, const RowCollection& rows) {
+void refuse_unknown_row(const std::vector<std::uint32_t>& in_plan, const Rows& rows) {
   std::vector<bool> known(rows.size(), false);
-  for (const std::uint32_t place : gathered.places) known[place] = true;
+  for (const std::uint32_t place : in_plan) known[place] = true;
   for (std::size_t place = 0; place < rows.size(); ++place) {
     if (!known[place]) {
       throw InputError(fmt::format(
@@ -67,6 +67,25 @@ std::string missing_shards(const std::vector<Shard>& shards) {
   return missing;
 }
 
+// Where the rows of the plan stand, in its order.
+StudyOutcome in_order_of(const StudyPlan& plan, const Rows& rows,
+                         std::vector<std::uint32_t>& places) {
+  StudyOutcome outcome;
+  places.reserve(rows.size());
+  for (const PlannedInstance& instance : plan.instances) {
+    for (const PlannedRun& run : instance.runs) {
+      if (const auto place = rows.find(parse_row_key(run.row_key))) {
+        places.push_back(static_cast<std::uint32_t>(*place));
+      } else if (!run.optional && outcome.missing++ == 0) {
+        outcome.first_missing = run.row_key;
+      }
+    }
+  }
+  outcome.rows = places.size();
+  if (places.size() < rows.size()) refuse_unknown_row(places, rows);
+  return outcome;
+}
+
 }  // namespace
 
 StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard) {
@@ -83,63 +102,32 @@ std::int64_t required_rows(const StudyPlan& plan) {
   return rows;
 }
 
-GatheredRows gather_rows(const StudyPlan& plan, const RowCollection& rows) {
-  GatheredRows gathered;
-  gathered.places.reserve(rows.size());
-  for (const PlannedInstance& instance : plan.instances) {
-    for (const PlannedRun& run : instance.runs) {
-      if (const auto place = rows.find(parse_row_key(run.row_key))) {
-        gathered.places.push_back(static_cast<std::uint32_t>(*place));
-      } else if (!run.optional && gathered.missing++ == 0) {
-        gathered.first_missing = run.row_key;
-      }
-    }
-  }
-  if (gathered.places.size() < rows.size()) refuse_unknown_row(gathered, rows);
-  return gathered;
+StudyOutcome outcome_of(const StudyPlan& plan, const Rows& rows) {
+  std::vector<std::uint32_t> places;
+  return in_order_of(plan, rows, places);
 }
 
-RowsInHand::RowsInHand(RowCollection rows, GatheredRows gathered, const Shard& shard)
-    : rows_(std::move(rows)), gathered_(std::move(gathered)), identity_(rows_.identity()) {
-  identity_.shard = shard;
-  identity_.planned_rows = static_cast<std::int64_t>(gathered_.places.size() + gathered_.missing);
+StudyOutcome arrange_rows(const StudyPlan& plan, Rows& rows) {
+  std::vector<std::uint32_t> places;
+  StudyOutcome outcome = in_order_of(plan, rows, places);
+  rows.arrange(places);
+  rows.identity().planned_rows = static_cast<std::int64_t>(outcome.rows + outcome.missing);
+  return outcome;
 }
 
-RowView RowsInHand::view() const {
-  return {&identity_, &rows_.environment(), gathered_.places.size(), identity_.planned_rows,
-          [this, algorithms = side_records<AlgorithmRecord>(identity_),
-           record = std::vector<char>(run_record_size()),
-           run = RunRecord()](std::size_t row) mutable -> const RunRecord& {
-            read(row, record.data());
-            run = load_record(record.data());
-            set_bounds(find_algorithm_record(algorithms, run.algorithm, run.options), run);
-            return run;
-          }};
-}
-
-void RowsInHand::write(const std::string& path) const {
-  write_results(
-      identity_, rows_.environment(), gathered_.places.size(),
-      [this](std::size_t i, char* record) { read(i, record); }, path);
-}
-
-RowCollection rows_so_far(const std::string& results) {
-  RowCollection rows;
-  for (const std::string& journal : existing_journals(results)) rows.add(journal);
-  if (rows_are_in_results(results)) rows.add(results);
-  rows.close();
-  return rows;
+Rows rows_so_far(const std::string& results) {
+  std::vector<std::string> files = existing_journals(results);
+  if (rows_are_in_results(results)) files.push_back(results);
+  return Rows(files);
 }
 
 StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
                                const std::string& path) {
-  RowCollection rows = rows_so_far(study.results);
-  GatheredRows gathered = gather_rows(plan, rows);
-  StudyOutcome outcome = gathered.outcome();
-  const Shard shard = rows.identity().shard;
-  const auto in_hand = std::make_shared<RowsInHand>(std::move(rows), std::move(gathered), shard);
-  in_hand->write(path);
-  outcome.in_hand = in_hand;
+  Rows rows = rows_so_far(study.results);
+  StudyOutcome outcome = arrange_rows(plan, rows);
+  write_results(rows, path);
+  rows.file = path;
+  outcome.in_hand = std::move(rows);
   return outcome;
 }
 
@@ -155,11 +143,10 @@ StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path
 }
 
 StudyOutcome outcome_so_far(const JournaledStudy& study) {
-  return gather_rows(plan_of(study), rows_so_far(study.results)).outcome();
+  return outcome_of(plan_of(study), rows_so_far(study.results));
 }
 
-void copy_rows(const RowCollection& rows, const std::vector<RunStatus>& but,
-               JournalWriter& journal) {
+void copy_rows(const Rows& rows, const std::vector<RunStatus>& but, JournalWriter& journal) {
   std::vector<EnvironmentEntry> session;
   for (const EnvironmentEntry& entry : rows.environment()) {
     if (entry.session != (session.empty() ? 0 : session.back().session)) {
@@ -184,17 +171,14 @@ void copy_rows(const RowCollection& rows, const std::vector<RunStatus>& but,
 
 StudyOutcome merge_study(const std::vector<std::string>& parts, const std::string& output) {
   require_writable(output);
-  RowCollection rows;
-  for (const std::string& part : parts) rows.add(part);
-  rows.close();
+  Rows rows(parts);
   require_one_division(rows.shards());
   require_one_program_each(rows.environment());
   const StudyPlan plan = plan_study(recorded_study(rows.identity(), parts.front()));
-  const GatheredRows gathered = gather_rows(plan, rows);
-  StudyOutcome outcome = gathered.outcome();
+  StudyOutcome outcome = arrange_rows(plan, rows);
   outcome.missing_shards = missing_shards(rows.shards());
-  if (!outcome.complete()) return outcome;
-  RowsInHand(std::move(rows), gathered, Shard()).write(output);
+  rows.identity().shard = {};
+  if (outcome.complete()) write_results(rows, output);
   return outcome;
 }
 

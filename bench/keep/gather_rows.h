@@ -7,8 +7,7 @@
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/store/journal/journal_writer.h"
-#include "ar3d/store/row_collection.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d {
 
@@ -20,39 +19,17 @@ StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard);
 std::int64_t required_rows(const StudyPlan& plan);
 
 /// Returns the rows of a study that are there, in its journals and its results file.
-RowCollection rows_so_far(const std::string& results);
+Rows rows_so_far(const std::string& results);
 
-/// Describes the rows of a plan that a collection has, in the plan's order.
-struct GatheredRows {
-  std::vector<std::uint32_t> places;  ///< in the collection
-  std::size_t missing = 0;            ///< required rows that it does not have
-  std::string first_missing;          ///< key of the first of them
-  StudyOutcome outcome() const { return {places.size(), missing, first_missing, {}}; }
-};
-
-/// @throws InputError naming a row that the plan does not have.
-GatheredRows gather_rows(const StudyPlan& plan, const RowCollection& rows);
-
-/// Represents the gathered rows of a collection, which can be had also once its files are removed.
-/// Their planned_rows are those that they are complete with: the ones there and the missing ones.
-class RowsInHand {
- public:
-  RowsInHand(RowCollection rows, GatheredRows gathered, const Shard& shard);
-  /// Returns the rows as those of the results file; they stay valid while this lives.
-  RowView view() const;
-  /// Writes them as a results file. @throws InputError as write_results.
-  void write(const std::string& path) const;
-
- private:
-  void read(std::size_t i, char* record) const { rows_.read(gathered_.places[i], record); }
-
-  RowCollection rows_;
-  GatheredRows gathered_;
-  StudyIdentity identity_;
-};
+/// Returns how rows of files stand to a plan. @throws InputError naming a row that the plan does not
+/// have.
+StudyOutcome outcome_of(const StudyPlan& plan, const Rows& rows);
+/// Puts them into the plan's order, too. They are complete with those that are there and those that
+/// are missing.
+StudyOutcome arrange_rows(const StudyPlan& plan, Rows& rows);
 
 /// Writes the rows so far of a study with that plan as a results file.
-/// @throws InputError as rows_so_far, gather_rows, write_gathered.
+/// @throws InputError as rows_so_far, outcome_of, write_results.
 StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
                                const std::string& path);
 
@@ -67,8 +44,7 @@ StudyOutcome outcome_so_far(const JournaledStudy& study);
 /// Copies rows of one file but those with these statuses into a new journal, session by session.
 /// @throws InputError naming the file if a row cannot be read (it would make the journal useless),
 /// JournalFull.
-void copy_rows(const RowCollection& rows, const std::vector<RunStatus>& but,
-               JournalWriter& journal);
+void copy_rows(const Rows& rows, const std::vector<RunStatus>& but, JournalWriter& journal);
 
 /// Makes one results file of a study's parts: results files and journals of its shards and ranks,
 /// in any order; the same parts give the same bytes.

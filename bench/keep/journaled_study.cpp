@@ -10,7 +10,6 @@
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/run/describe_study.h"
-#include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_reader.h"
 
 namespace ar3d {
@@ -48,7 +47,7 @@ JournaledStudy begun_study(const std::string& journal_or_results) {
   const std::vector<std::string> journals = existing_journals(results);
   const bool in_results = rows_are_in_results(results);
   const StudyIdentity identity =
-      in_results ? RunReader(results).identity() : journal_status(journals.front()).identity;
+      in_results ? Rows(results).identity() : journal_status(journals.front()).identity;
   Study study = recorded_study(identity, in_results ? results : journals.front());
   study.files.own = own_files_of(results);
   return {std::move(study), identity.shard, results, identity.created, in_results, !in_results};
@@ -80,7 +79,7 @@ namespace {
 // Rank i of N makes the rows of the metrics phase that shard i/N would. Then rank 0 alone makes
 // those that are timed; the others draw their parts of its batches.
 void make_on_ranks(StudyPlan& plan, SessionPolicy policy, Ranks& ranks, StudyLog& log,
-                   std::optional<RowCollection>& there) {
+                   std::optional<Rows>& there) {
   const Stopwatch time;
   const bool timed_phases = std::exchange(policy.timed_phases, false);
   policy.workers_elsewhere = (ranks.size() - 1) * policy.workers;
@@ -106,7 +105,7 @@ void make_on_ranks(StudyPlan& plan, SessionPolicy policy, Ranks& ranks, StudyLog
 StudyOutcome run_journaled(JournaledStudy study, SessionPolicy policy, Ranks& ranks) {
   StudyPlan plan = plan_of(study);
   StudyLog log(study, plan, policy, ranks);
-  std::optional<RowCollection> there;  // the others are missing
+  std::optional<Rows> there;  // the others are missing
   // A rank that cannot read must not leave the others making rows without it.
   together(ranks, [&] { there.emplace(log.rows()); });
   together(ranks, [&] { log.begin_session(); });

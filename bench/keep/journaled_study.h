@@ -1,7 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +9,7 @@
 #include "ar3d/bench/run/ranks.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/columns/run_record.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d {
 
@@ -25,16 +25,14 @@ struct JournaledStudy : Study {
   std::vector<RunStatus> again = {};
 };
 
-class RowsInHand;  // bench/keep/gather_rows.h
-
 /// Holds how it stands with a journaled study.
 struct StudyOutcome {
-  std::size_t rows = 0;        ///< in the results file
-  std::size_t missing = 0;     ///< rows that it is not complete without
-  std::string first_missing;   ///< key of one
-  std::string missing_shards;  ///< "2, 5-8"; of a merged study
-  std::string results = {};    ///< path of the results file, whose folder may have been moved
-  std::shared_ptr<const RowsInHand> in_hand = {};  ///< of a results file that was written
+  std::size_t rows = 0;              ///< in the results file
+  std::size_t missing = 0;           ///< rows that it is not complete without
+  std::string first_missing;         ///< key of one
+  std::string missing_shards;        ///< "2, 5-8"; of a merged study
+  std::string results = {};          ///< path of the results file, whose folder may have been moved
+  std::optional<Rows> in_hand = {};  ///< the rows, in its order; of run_journaled
   bool complete() const { return missing == 0; }
 };
 

@@ -15,8 +15,8 @@
 #include <memory>
 
 #include "ar3d/base/error.h"
-#include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_reader.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d {
 namespace {
@@ -156,7 +156,7 @@ bool rows_are_in_results(const std::string& results) {
   const std::vector<std::string> journals = existing_journals(results);
   if (journals.empty()) return true;
   return journals.front() != journal_path(results) && fs::exists(results) &&
-         RunReader(results).identity().created == journal_status(journals.front()).identity.created;
+         Rows(results).identity().created == journal_status(journals.front()).identity.created;
 }
 
 void remove_journals(const std::string& results) {

@@ -46,10 +46,9 @@ void require_own_rows(const StudyIdentity& rows, const StudyIdentity& own,
 }
 
 // Rows that are not of the plan, or of programs that have changed.
-void refuse_other_rows(const JournaledStudy& study, const StudyPlan& plan,
-                       const RowCollection& rows) {
+void refuse_other_rows(const JournaledStudy& study, const StudyPlan& plan, const Rows& rows) {
   refuse_changed_programs(study.spec, rows.environment(), study.results);
-  if (rows.size() > 0) gather_rows(plan, rows);
+  if (rows.size() > 0) outcome_of(plan, rows);
 }
 
 void seed_journal(const JournaledStudy& study, const StudyPlan& plan,
@@ -63,9 +62,7 @@ void seed_journal(const JournaledStudy& study, const StudyPlan& plan,
   const std::string journal_of_study = journal_path(study.results);
   const std::string seed = name_of_new_file(journal_of_study);
   try {
-    RowCollection rows;
-    rows.add(study.results);
-    rows.close();
+    const Rows rows(std::vector<std::string>{study.results});
     require_own_rows(rows.identity(), identity, study.results);
     refuse_other_rows(study, plan, rows);  // before there is a journal that says it is not finished
     JournalWriter journal(seed, identity);
@@ -129,13 +126,13 @@ StudyLog::StudyLog(const JournaledStudy& study, const StudyPlan& plan, const Ses
   });
 }
 
-RowCollection StudyLog::rows() const {
-  RowCollection there = rows_so_far(results());
+Rows StudyLog::rows() const {
+  Rows there = rows_so_far(results());
   refuse_other_rows(study_, plan_, there);
   return there;
 }
 
-RowSink StudyLog::sink(const RowCollection& there) {
+RowSink StudyLog::sink(const Rows& there) {
   RowSink sink{[&](std::size_t, const RunRecord& row) { journal_->append(row); },
                [&](const EnvironmentEntry& entry) { at_end_.push_back(entry); }};
   if (there.size() == 0) return sink;

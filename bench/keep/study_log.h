@@ -10,7 +10,7 @@
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/store/journal/journal_writer.h"
-#include "ar3d/store/row_collection.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d {
 
@@ -27,11 +27,11 @@ class StudyLog {
   /// Returns the study's results file, whose folder may have been moved since.
   std::string results() const { return path_in_folder(folder_, study_.results); }
   /// Returns the rows that are there. @throws InputError as the constructor.
-  RowCollection rows() const;
+  Rows rows() const;
 
   void begin_session() { journal_->begin_session(session_); }
   /// Returns where new rows go; both outlive it. @param there  rows that are not to be made.
-  RowSink sink(const RowCollection& there);
+  RowSink sink(const Rows& there);
   /// Writes what is known only at the end.
   void end_session();
 

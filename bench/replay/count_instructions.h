@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ar3d/bench/replay/replay_row.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d {
 

@@ -32,10 +32,10 @@ auto drawing_of(const RunRecord& run) {
   return std::tuple(run.graph_hash, run.algorithm, run.options);
 }
 
-std::vector<std::size_t> worst_rows(const RowView& rows) {
+std::vector<std::size_t> worst_rows(const Rows& rows) {
   std::map<std::array<std::string, 4>, std::pair<Badness, std::size_t>> worst;
-  for (std::size_t row = 0; row < rows.count; ++row) {
-    const RunRecord& run = rows.read(row);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const RunRecord& run = rows.run(row);
     if (run.phase != RunPhase::metrics || !is_drawn(run)) continue;
     const Badness badness = badness_of(run);
     const auto [at, is_new] =
@@ -61,14 +61,14 @@ std::optional<Drawing> drawn_again(const RunRecord& run, const StudyOrigin& orig
   return std::nullopt;
 }
 
-std::vector<std::size_t> rows_to_keep(const RowView& rows, KeptDrawings kept,
+std::vector<std::size_t> rows_to_keep(const Rows& rows, KeptDrawings kept,
                                       std::size_t& repeated) {
   if (kept == KeptDrawings::none) return {};
   if (kept == KeptDrawings::worst) return worst_rows(rows);
   std::vector<std::size_t> chosen;
   std::set<decltype(drawing_of(RunRecord()))> known;
-  for (std::size_t row = 0; row < rows.count; ++row) {
-    const RunRecord& run = rows.read(row);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const RunRecord& run = rows.run(row);
     const bool is_wanted =
         kept == KeptDrawings::all ? is_drawn(run) : run.status == RunStatus::violated;
     if (run.phase != RunPhase::metrics || !is_wanted) continue;
@@ -81,13 +81,13 @@ std::vector<std::size_t> rows_to_keep(const RowView& rows, KeptDrawings kept,
 
 }  // namespace
 
-KeptOutcome write_kept_drawings(const RowView& rows, KeptDrawings kept, OutputFile& file) {
+KeptOutcome write_kept_drawings(const Rows& rows, KeptDrawings kept, OutputFile& file) {
   KeptOutcome outcome;
-  const StudyOrigin origin = study_origin(*rows.identity);
+  const StudyOrigin origin = study_origin(rows.identity());
   if (origin.study && origin.study->files.begun_with) corpora_of(*origin.study);
   for (const std::size_t row : rows_to_keep(rows, kept, outcome.repeated)) {
     std::string problem;
-    if (const auto drawing = drawn_again(rows.read(row), origin, problem)) {
+    if (const auto drawing = drawn_again(rows.run(row), origin, problem)) {
       write_drawing_line(file, *drawing);
       ++outcome.kept;
     } else {

@@ -12,7 +12,7 @@
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/store/columns/run_record.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d {
 
@@ -81,6 +81,6 @@ struct KeptOutcome {
 /// Memory: 64 bytes per row kept, and the curves.
 /// @throws InputError if the file cannot be written; as corpora_of, before anything is drawn, if a
 /// file of graphs is no longer what the study began with.
-KeptOutcome write_kept_drawings(const RowView& rows, KeptDrawings kept, OutputFile& file);
+KeptOutcome write_kept_drawings(const Rows& rows, KeptDrawings kept, OutputFile& file);
 
 }  // namespace ar3d

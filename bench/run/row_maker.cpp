@@ -292,16 +292,7 @@ void take_over_certificate(const RunRecord& certified, RunRecord& run) {
     run.message = "another drawing than the certified one of the same graph and options";
     return;
   }
-  std::string bytes;
-  for (const Column& column : run_columns()) {
-    if (column.kind != ColumnKind::result && column.kind != ColumnKind::metric) continue;
-    bytes.assign(column.size, '\0');
-    column.store(certified, bytes.data());
-    column.load(bytes.data(), run);
-  }
-  run.theorem_bound = certified.theorem_bound;
-  run.slack = certified.slack;
-  run.published_bound = certified.published_bound;
+  take_results(certified, run);
 }
 
 }  // namespace ar3d

@@ -3,315 +3,219 @@
 
 #include <fmt/format.h>
 
-#include <type_traits>
+#include <algorithm>
+#include <cstring>
 
 #include "ar3d/base/error.h"
-#include "ar3d/base/printable.h"
+#include "ar3d/store/columns/record_pass.h"
 
 namespace ar3d {
 namespace {
 
-// True if a column of so many bytes holds the text as it is.
-bool fits(const std::string& text, std::size_t size) {
-  return text.size() <= size && all_printable(text);
-}
-
-void require_fits(const std::string& text, const std::string& column, std::size_t size) {
-  if (fits(text, size)) return;
-  throw InputError(fmt::format("{} '{}' is not {} bytes of printable text", column, text, size));
-}
-
-std::string loaded_text(const char* from, std::size_t size) {
-  return std::string(from, strnlen(from, size));
-}
-
-void store_text(const std::string& text, char* to, std::size_t size) {
-  std::memcpy(to, text.data(), text.size());
-  std::memset(to + text.size(), 0, size - text.size());
-}
-
-template <class T>
-constexpr FieldType kTypeOf = std::is_same_v<T, double>         ? FieldType::float64
-                              : std::is_same_v<T, std::int64_t> ? FieldType::int64
-                                                                : FieldType::uint64;
-
-// Columns that are added one after the other, all of `kind`.
-struct ColumnList {
-  ColumnKind kind = ColumnKind::run;
-  std::vector<Column> columns;
-
-  // What is returned stays where it is until the next column is added.
-  Column& add(const std::string& name, const char* unit, const char* meaning, FieldType type,
-              std::size_t size) {
-    Column& column = columns.emplace_back();
-    column.name = name;
-    column.unit = unit;
-    column.meaning = meaning;
-    column.kind = kind;
-    column.type = type;
-    column.size = size;
-    column.required = kind == ColumnKind::instance || kind == ColumnKind::run;
-    return column;
-  }
-
-  // Text that identifies something: refused, never cut, if it does not fit.
-  Column& text(const char* name, std::size_t size, std::string RunRecord::*member,
-               const char* meaning) {
-    Column& column = add(name, "", meaning, FieldType::text, size);
-    column.store = [member, size, name = column.name](const RunRecord& run, char* to) {
-      require_fits(run.*member, name, size);
-      store_text(run.*member, to, size);
-    };
-    column.load = [member, size](const char* from, RunRecord& run) {
-      run.*member = loaded_text(from, size);
-    };
-    return column;
-  }
-
-  // Text for people, cut to fit.
-  void message(const char* name, std::size_t size, std::string RunRecord::*member,
-               const char* meaning) {
-    Column& column = text(name, size, member, meaning);
-    column.store = [member, size](const RunRecord& run, char* to) {
-      const std::string& value = run.*member;
-      store_text(fits(value, size) ? value : fitted_text(value, size), to, size);
-    };
-  }
-
-  // One of a few names.
-  template <class Enum>
-  void choice(const char* name, std::size_t size, Enum RunRecord::*member,
-              Enum (*parse)(std::string_view), const char* meaning) {
-    Column& column = add(name, "", meaning, FieldType::text, size);
-    column.store = [member, size](const RunRecord& run, char* to) {
-      store_text(to_string(run.*member), to, size);
-    };
-    column.load = [member, parse, size](const char* from, RunRecord& run) {
-      run.*member = parse(loaded_text(from, size));
-    };
-  }
-
-  // A number where `at` says, of a row that is written or read.
-  template <class T, class At>
-  void number_at(const std::string& name, const char* unit, const char* meaning, const At& at) {
-    Column& column = add(name, unit, meaning, kTypeOf<T>, sizeof(T));
-    column.store = [at](const RunRecord& run, char* to) { std::memcpy(to, &at(run), sizeof(T)); };
-    column.load = [at](const char* from, RunRecord& run) {
-      std::memcpy(&at(run), from, sizeof(T));
-    };
-  }
-  template <class T>
-  void number(const char* name, const char* unit, T RunRecord::*member, const char* meaning) {
-    number_at<T>(
-        name, unit, meaning, [member](auto& run) -> auto& { return run.*member; });
-  }
-  // One column for each entry of an array, named by `suffixes`.
-  template <class T, std::size_t N>
-  void array(const char* name, const char* unit, std::array<T, N> RunRecord::*member,
-             const std::array<const char*, N>& suffixes, const char* meaning) {
-    for (std::size_t i = 0; i < N; ++i) {
-      number_at<T>(
-          std::string(name) + suffixes[i], unit, meaning,
-          [ member, i ](auto& run) -> auto& { return (run.*member)[i]; });
-    }
-  }
-};
-
 constexpr std::array<const char*, 3> kAxes = {"_x", "_y", "_z"};
 constexpr std::array<const char*, 3> kYardstickColumns = {
     "yardstick_cached_s", "yardstick_memory_s", "yardstick_arithmetic_s"};
-constexpr std::array<const char*, 8> kBends = {"_0", "_1", "_2", "_3", "_4", "_5", "_6", "_7"};
 
-void add_identity(ColumnList& c) {
-  using R = RunRecord;
-  c.kind = ColumnKind::run;
-  c.text("row_key", 32, &R::row_key,
+// In a row that is written all are constant.
+template <class Run>
+void identity_columns(RecordPass& c, Run& r) {
+  c.next_are(ColumnKind::run, true);
+  c.text("row_key", 32, r.row_key,
          "hash of study seed, instance, algorithm, options and repetition");
-  c.kind = ColumnKind::instance;
-  c.text("family", 48, &R::family, "family of graphs");
-  c.text("parameters", 128, &R::parameters,
-         "the family's parameters, complete, in catalogue order");
-  c.number("requested_n", "1", &R::requested_n, "number of vertices that the study asked for");
-  c.number("n", "1", &R::n, "number of vertices");
-  c.number("m", "1", &R::m, "number of edges");
-  c.number("instance_index", "1", &R::instance_index,
+  c.next_are(ColumnKind::instance, true);
+  c.text("family", 48, r.family, "family of graphs");
+  c.text("parameters", 128, r.parameters, "the family's parameters, complete, in catalogue order");
+  c.number("requested_n", "1", r.requested_n, "number of vertices that the study asked for");
+  c.number("n", "1", r.n, "number of vertices");
+  c.number("m", "1", r.m, "number of edges");
+  c.number("instance_index", "1", r.instance_index,
            "0, 1, ...: which instance of (family, parameters, requested_n)");
-  c.number("seed", "", &R::seed, "the generator's seed of this instance");
-  c.text("graph_hash", 32, &R::graph_hash, "128-bit hash of the graph");
-  c.message("graph_name", 96, &R::graph_name,
+  c.number("seed", "", r.seed, "the generator's seed of this instance");
+  c.text("graph_hash", 32, r.graph_hash, "128-bit hash of the graph");
+  c.next_are(ColumnKind::instance, false);
+  c.message("graph_name", 96, r.graph_name,
             "of a graph of files: its file in the collection, #3 behind it if that holds several");
-  c.text("group", 48, &R::group, "of a graph of a collection: sub-folder, or as a table says");
-  c.number("max_degree", "1", &R::max_degree, "largest degree of a vertex");
-  for (auto added = c.columns.end() - 3; added != c.columns.end(); ++added) added->required = false;
-  c.kind = ColumnKind::run;
-  c.text("algorithm", 48, &R::algorithm, "drawing algorithm");
-  c.text("options", 96, &R::options, "the algorithm's options, complete, in catalogue order");
-  c.choice("phase", 8, &R::phase, parse_run_phase,
+  c.text("group", 48, r.group, "of a graph of a collection: sub-folder, or as a table says");
+  c.number("max_degree", "1", r.max_degree, "largest degree of a vertex");
+  c.next_are(ColumnKind::run, true);
+  c.text("algorithm", 48, r.algorithm, "drawing algorithm");
+  c.text("options", 96, r.options, "the algorithm's options, complete, in catalogue order");
+  c.choice("phase", 8, r.phase, parse_run_phase,
            "what the row was made for: metrics, timing, strong, weak, strong_r, weak_r");
-  c.number("scale", "1", &R::scale, "threads (strong, weak) or ranks (_r) that share the batch");
-  c.number("repetition", "1", &R::repetition, "0, 1, ...: which one within its phase and scale");
-  c.text("level", 16, &R::level,
+  c.number("scale", "1", r.scale, "threads (strong, weak) or ranks (_r) that share the batch");
+  c.number("repetition", "1", r.repetition, "0, 1, ...: which one within its phase and scale");
+  c.text("level", 16, r.level,
          "what was stored of the drawing: extents (nothing), positions, full");
 }
 
-void add_results(ColumnList& c) {
-  using R = RunRecord;
-  c.kind = ColumnKind::result;
-  c.choice("status", 16, &R::status, parse_run_status,
+template <class Run>
+void result_columns(RecordPass& c, Run& r) {
+  c.next_are(ColumnKind::result, false);
+  c.choice("status", 16, r.status, parse_run_status,
            "ok, timeout, out_of_memory, refused, violated, crashed or measured");
-  c.message("message", 240, &R::message, "first violation or error, cut to fit; else empty");
-  c.text("drawing_hash", 32, &R::drawing_hash, "128-bit hash of positions, edges and bends");
-  c.number("violations", "1", &R::violations,
+  c.message("message", 240, r.message, "first violation or error, cut to fit; else empty");
+  c.text("drawing_hash", 32, r.drawing_hash, "128-bit hash of positions, edges and bends");
+  c.number("violations", "1", r.violations,
            "violations of the guarantee that the certificate lists; 0 is proved right");
-  c.text("certificate", 16, &R::certificate,
+  c.text("certificate", 16, r.certificate,
          "how it was judged: empty for exact (a proof), else measured or none: not proved; in "
          "results of 0.2.0 also filtered, double and sample=K");
-  c.array("instance_bound", "lattice units", &R::instance_bound, kAxes,
+  c.array("instance_bound", "lattice units", r.instance_bound, kAxes,
           "extent that the proof promises for this very instance");
-  c.text("counters", 512, &R::counters, "what the algorithm tells about its run, name=value;...");
+  c.text("counters", 512, r.counters, "what the algorithm tells about its run, name=value;...");
 }
 
-// The metrics that have a member; unit and meaning come from their table.
-std::vector<Column> metrics_with_member() {
-  using R = RunRecord;
-  ColumnList c{ColumnKind::metric, {}};
-  c.array("extent", "", &R::extents, kAxes, "");
-  c.number("log2_volume", "", &R::log2_volume, "");
-  c.array("bends", "", &R::bends, kBends, "");
-  c.number("total_edge_length", "", &R::total_edge_length, "");
-  c.number("longest_edge_length", "", &R::longest_edge_length, "");
-  c.number("smallest_vertex_distance", "", &R::smallest_vertex_distance, "");
-  return std::move(c.columns);
-}
+// The metrics that code reasons with have a member of a row, integers first.
+constexpr std::array kMembers = {"extent_x",
+                                 "extent_y",
+                                 "extent_z",
+                                 "bends_0",
+                                 "bends_1",
+                                 "bends_2",
+                                 "bends_3",
+                                 "bends_4",
+                                 "bends_5",
+                                 "bends_6",
+                                 "bends_7",
+                                 "log2_volume",
+                                 "total_edge_length",
+                                 "longest_edge_length",
+                                 "smallest_vertex_distance"};
 
-// A metric without a member: other_metrics[index].
-Column other_metric(const Metric& metric, std::size_t index) {
-  const bool is_integer = metric.type == MetricType::int64;
-  ColumnList list{ColumnKind::metric, {}};
-  Column& column = list.add(metric.name, "", "", is_integer ? FieldType::int64 : FieldType::float64,
-                            sizeof(double));
-  const Field field = static_cast<const Field&>(column);
-  column.store = [index, field](const RunRecord& run, char* to) {
-    if (index >= run.other_metrics.size()) return store_missing(field, to);
-    std::visit([to](auto value) { std::memcpy(to, &value, sizeof(value)); },
-               run.other_metrics[index]);
-  };
-  column.load = [index, is_integer](const char* from, RunRecord& run) {
-    if (index >= run.other_metrics.size()) run.other_metrics.resize(index + 1);
-    std::int64_t integer = 0;
-    double number = 0;
-    std::memcpy(&integer, from, sizeof(integer));
-    std::memcpy(&number, from, sizeof(number));
-    run.other_metrics[index] = is_integer ? MetricValue(integer) : MetricValue(number);
-  };
-  return std::move(column);
-}
-
-void add_metrics(ColumnList& list) {
-  std::vector<Column> with_member = metrics_with_member();
-  std::size_t others = 0;
+// Of every metric its number among the members, or how many there are.
+std::vector<std::size_t> members_of_metrics() {
+  std::vector<std::size_t> members;
   for (const Metric& metric : metrics()) {
-    const auto at = std::find_if(with_member.begin(), with_member.end(),
-                                 [&](const Column& m) { return m.name == metric.name; });
-    const bool has_member = at != with_member.end();
-    Column column = has_member ? *at : other_metric(metric, others++);
-    if (has_member) with_member.erase(at);
-    column.unit = metric.unit;
-    column.meaning = metric.definition;
-    expect((column.type == FieldType::int64) == (metric.type == MetricType::int64),
+    members.push_back(
+        static_cast<std::size_t>(std::ranges::find(kMembers, metric.name) - kMembers.begin()));
+    expect((metric.type == MetricType::int64) == (members.back() < 11) ||
+               members.back() == kMembers.size(),
            "a metric has its member's type");
-    list.columns.push_back(std::move(column));
   }
-  expect(with_member.empty(), "every metric with a member is in the table of metrics");
+  for (std::size_t i = 0; i < kMembers.size(); ++i) {
+    expect(std::ranges::count(members, i) == 1, "every metric with a member is in their table");
+  }
+  return members;
 }
 
-void add_times(ColumnList& c) {
-  using R = RunRecord;
-  c.kind = ColumnKind::measured;
-  c.number("generate_s", "s", &R::generate_s, "wall time of generating the graph");
-  c.number("wall_s", "s", &R::wall_s, "wall time of drawing, nothing else");
-  c.number("cpu_s", "s", &R::cpu_s, "CPU time of the drawing thread, drawing only");
-  c.number("store_s", "s", &R::store_s,
+template <class Run>
+void metric_columns(RecordPass& c, Run& r) {
+  static const std::vector<std::size_t> members = members_of_metrics();
+  const std::array doubles = {&r.log2_volume, &r.total_edge_length, &r.longest_edge_length,
+                              &r.smallest_vertex_distance};
+  c.next_are(ColumnKind::metric, false);
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Metric& metric = metrics()[i];
+    const auto column = [&](auto& value) {
+      c.number(metric.name, metric.unit.c_str(), value, metric.definition.c_str());
+    };
+    const auto other = [&](auto value) {  // begins as what stands for no value
+      const std::size_t place = others++;
+      if (place < r.other_metrics.size()) value = std::get<decltype(value)>(r.other_metrics[place]);
+      column(value);
+      if constexpr (!std::is_const_v<Run>) {
+        if (place >= r.other_metrics.size()) r.other_metrics.resize(place + 1);
+        r.other_metrics[place] = value;
+      }
+    };
+    if (members[i] < 3) {
+      column(r.extents[members[i]]);
+    } else if (members[i] < 11) {
+      column(r.bends[members[i] - 3]);
+    } else if (members[i] < kMembers.size()) {
+      column(*doubles[members[i] - 11]);
+    } else if (metric.type == MetricType::int64) {
+      other(std::int64_t{-1});
+    } else {
+      other(kMissing);
+    }
+  }
+}
+
+template <class Run>
+void time_columns(RecordPass& c, Run& r) {
+  c.next_are(ColumnKind::measured, false);
+  c.number("generate_s", "s", r.generate_s, "wall time of generating the graph");
+  c.number("wall_s", "s", r.wall_s, "wall time of drawing, nothing else");
+  c.number("cpu_s", "s", r.cpu_s, "CPU time of the drawing thread, drawing only");
+  c.number("store_s", "s", r.store_s,
            "wall time of storing positions or bends; missing at level extents");
-  c.number("certify_s", "s", &R::certify_s,
+  c.number("certify_s", "s", r.certify_s,
            "wall time of certifying the drawing, with its metrics and hash");
-  c.number("write_s", "s", &R::write_s, "wall time of formatting the drawing as JSON lines");
-  c.number("concurrency", "1", &R::concurrency, "rows that this study makes at the same time");
-  c.number("core", "1", &R::core, "core that the row was pinned to; missing if none");
-  c.number("warm_ups", "1", &R::warm_ups, "drawings of the graph just before, thrown away");
-  c.array("", "s", &R::yardsticks_s, kYardstickColumns,
+  c.number("write_s", "s", r.write_s, "wall time of formatting the drawing as JSON lines");
+  c.number("concurrency", "1", r.concurrency, "rows that this study makes at the same time");
+  c.number("core", "1", r.core, "core that the row was pinned to; missing if none");
+  c.number("warm_ups", "1", r.warm_ups, "drawings of the graph just before, thrown away");
+  c.array("", "s", r.yardsticks_s, kYardstickColumns,
           "CPU time of a yardstick near the row, which tells how fast the machine was");
-  c.text("build_kind", 16, &R::build_kind,
+  c.text("build_kind", 16, r.build_kind,
          "why times are worth little: debug or sanitised; else empty");
 }
 
-void add_counts(ColumnList& c) {
-  using R = RunRecord;
+template <class Run>
+void count_columns(RecordPass& c, Run& r) {
   constexpr const char* kCounted = "of drawing, user space, by a hardware counter";
-  c.number("instructions", "1", &R::instructions, kCounted);
-  c.number("cycles", "1", &R::cycles, kCounted);
-  c.number("cache_misses", "1", &R::cache_misses, kCounted);
-  c.number("counted_instructions", "1", &R::counted_instructions,
-           "of drawing, counted by callgrind");
-  c.number("estimated_cycles", "1", &R::estimated_cycles,
+  c.number("instructions", "1", r.instructions, kCounted);
+  c.number("cycles", "1", r.cycles, kCounted);
+  c.number("cache_misses", "1", r.cache_misses, kCounted);
+  c.number("counted_instructions", "1", r.counted_instructions, "of drawing, counted by callgrind");
+  c.number("estimated_cycles", "1", r.estimated_cycles,
            "instructions + 10 first-level + 100 last-level misses of callgrind's simulated cache");
-  c.number("base_bytes", "bytes", &R::base_bytes, "resident memory when the row began");
-  c.number("draw_peak_bytes", "bytes", &R::draw_peak_bytes, "peak resident memory while drawing");
-  c.number("peak_bytes", "bytes", &R::peak_bytes, "peak resident memory, as peak_scope says");
-  c.text("peak_scope", 8, &R::peak_scope,
+  c.number("base_bytes", "bytes", r.base_bytes, "resident memory when the row began");
+  c.number("draw_peak_bytes", "bytes", r.draw_peak_bytes, "peak resident memory while drawing");
+  c.number("peak_bytes", "bytes", r.peak_bytes, "peak resident memory, as peak_scope says");
+  c.text("peak_scope", 8, r.peak_scope,
          "of this row alone (row, worker: in a process of its own) or of the process so far");
-  c.number("batch_s", "s", &R::batch_s,
-           "wall time of the whole batch; only in phases with batches");
-  c.number("ideal_batch_s", "s", &R::ideal_batch_s,
+  c.number("batch_s", "s", r.batch_s, "wall time of the whole batch; only in phases with batches");
+  c.number("ideal_batch_s", "s", r.ideal_batch_s,
            "batch_s of one thread or rank if scaling were perfect");
-  c.number("efficiency", "1", &R::efficiency, "ideal_batch_s / batch_s");
-  c.number("session", "1", &R::session, "the session of /environments that made the row");
+  c.number("efficiency", "1", r.efficiency, "ideal_batch_s / batch_s");
+  c.number("session", "1", r.session, "the session of /environments that made the row");
 }
 
-std::vector<Column> make_run_columns() {
-  ColumnList list;
-  add_identity(list);
-  add_results(list);
-  add_metrics(list);
-  add_times(list);
-  add_counts(list);
-  pack_fields(list.columns);
-  return std::move(list.columns);
+template <class Run>
+void columns_of(RecordPass& c, Run& r) {
+  c.table("runs", "instance x algorithm x options x repetition");
+  identity_columns(c, r);
+  result_columns(c, r);
+  metric_columns(c, r);
+  time_columns(c, r);
+  count_columns(c, r);
 }
 
-// What a run has in a column.
-std::string bytes_of(const Column& column, const RunRecord& run) {
-  std::string bytes(column.size, '\0');
-  column.store(run, bytes.data());
-  return bytes;
+std::size_t first_of(ColumnKind kind) {
+  return static_cast<std::size_t>(std::ranges::find(run_columns(), kind, &Column::kind) -
+                                  run_columns().begin());
 }
 
 template <class T>
-T loaded(const std::string& bytes) {
+T number_at(const Column& column, const char* record) {
   T value{};
-  std::memcpy(&value, bytes.data(), sizeof(T));
+  std::memcpy(&value, record + column.offset, sizeof(T));
   return value;
 }
 
 }  // namespace
 
-const std::vector<Column>& run_columns() {
-  static const std::vector<Column> columns = make_run_columns();
-  return columns;
-}
-
 const TableSpec& runs_spec() {
-  static const TableSpec spec = {"runs",
-                                 "instance x algorithm x options x repetition",
-                                 {run_columns().begin(), run_columns().end()}};
+  static const TableSpec spec = [] {
+    TableSpec made;
+    RecordPass pass(made);
+    RunRecord none;
+    columns_of(pass, none);
+    pack_columns(made.columns);
+    return made;
+  }();
   return spec;
 }
 
+const std::vector<Column>& run_columns() { return runs_spec().columns; }
+
 const Column& run_column(std::string_view name) {
-  for (const Column& column : run_columns()) {
-    if (column.name == name) return column;
-  }
-  throw InternalError(fmt::format("internal error: no column '{}'", name));
+  const auto at = std::ranges::find(run_columns(), name, &Column::name);
+  expect(at != run_columns().end(), "a column of that name");
+  return *at;
 }
 
 std::size_t run_record_size() {
@@ -319,18 +223,31 @@ std::size_t run_record_size() {
   return size;
 }
 
-void require_storable(const RunRecord& run) {
-  std::vector<char> record(run_record_size());
-  store_record(run, record.data());
-}
+void require_storable(const RunRecord& run) { record_of(run); }
 
 void store_record(const RunRecord& run, char* record) {
-  for (const Column& column : run_columns()) column.store(run, record + column.offset);
+  std::memset(record, 0, run_record_size());
+  RecordPass pass = RecordPass::writing(run_columns(), record);
+  columns_of(pass, run);
+}
+
+std::vector<char> record_of(const RunRecord& run) {
+  std::vector<char> record(run_record_size());
+  store_record(run, record.data());
+  return record;
+}
+
+std::vector<char> metrics_record(const RunRecord& run) {
+  std::vector<char> record(run_record_size());
+  RecordPass pass = RecordPass::writing(run_columns(), record.data(), first_of(ColumnKind::metric));
+  metric_columns(pass, run);
+  return record;
 }
 
 RunRecord load_record(const char* record) {
   RunRecord run;
-  for (const Column& column : run_columns()) column.load(record + column.offset, run);
+  RecordPass pass = RecordPass::reading(run_columns(), record);
+  columns_of(pass, run);
   return run;
 }
 
@@ -349,43 +266,67 @@ std::vector<Column> columns_of_kind(ColumnKind kind) {
 
 void set_metrics(const DrawingSummary& summary, RunRecord& run) {
   static const std::vector<Column> columns = columns_of_kind(ColumnKind::metric);
+  std::vector<char> record(run_record_size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    char bytes[sizeof(double)];
-    std::visit([&](auto value) { std::memcpy(bytes, &value, sizeof(value)); },
+    std::visit([&](auto v) { std::memcpy(&record[columns[i].offset], &v, sizeof(v)); },
                metrics()[i].value(summary));
-    columns[i].load(bytes, run);
   }
+  RecordPass pass = RecordPass::reading(run_columns(), record.data(), first_of(ColumnKind::metric));
+  metric_columns(pass, run);
 }
 
-std::string column_text(const Column& column, const RunRecord& run) {
-  const std::string bytes = bytes_of(column, run);
+void take_results(const RunRecord& from, RunRecord& run) {
+  std::vector<char> record(run_record_size());
+  const std::size_t first = first_of(ColumnKind::result);
+  RecordPass write = RecordPass::writing(run_columns(), record.data(), first);
+  result_columns(write, from);
+  metric_columns(write, from);
+  RecordPass read = RecordPass::reading(run_columns(), record.data(), first);
+  result_columns(read, run);
+  metric_columns(read, run);
+  run.theorem_bound = from.theorem_bound;
+  run.slack = from.slack;
+  run.published_bound = from.published_bound;
+}
+
+std::string column_text(const Column& column, const char* record) {
   switch (column.type) {
-    case FieldType::text:
-      return bytes.substr(0, bytes.find('\0'));
-    case FieldType::int64:
-      return fmt::format("{}", loaded<std::int64_t>(bytes));
-    case FieldType::uint64:
-      return fmt::format("{}", loaded<std::uint64_t>(bytes));
-    case FieldType::float64:
-      return fmt::format("{}", loaded<double>(bytes));
+    case ColumnType::text:
+      return text_of(column, record);
+    case ColumnType::int64:
+      return fmt::format("{}", number_at<std::int64_t>(column, record));
+    case ColumnType::uint64:
+      return fmt::format("{}", number_at<std::uint64_t>(column, record));
+    case ColumnType::float64:
+      return fmt::format("{}", number_at<double>(column, record));
   }
   throw InternalError("internal error: unknown column type");
 }
 
-double column_number(const Column& column, const RunRecord& run) {
-  expect(column.type == FieldType::int64 || column.type == FieldType::float64,
-         "a column with a number");
-  const std::string bytes = bytes_of(column, run);
-  if (column.type == FieldType::float64) return loaded<double>(bytes);
-  const auto integer = loaded<std::int64_t>(bytes);
+double column_number(const Column& column, const char* record) {
+  if (column.type == ColumnType::float64) return number_at<double>(column, record);
+  expect(column.type == ColumnType::int64, "a column with a number");
+  const auto integer = number_at<std::int64_t>(column, record);
   return integer < 0 ? kMissing : static_cast<double>(integer);
 }
 
+std::string column_text(const Column& column, const RunRecord& run) {
+  const bool is_metric = column.kind == ColumnKind::metric;
+  return column_text(column, (is_metric ? metrics_record(run) : record_of(run)).data());
+}
+
+double column_number(const Column& column, const RunRecord& run) {
+  return column_number(column, metrics_record(run).data());
+}
+
 std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b) {
+  const std::vector<char> left = record_of(a), right = record_of(b);
   std::vector<std::string> names;
   for (const Column& column : run_columns()) {
     if (column.kind == ColumnKind::measured) continue;
-    if (bytes_of(column, a) != bytes_of(column, b)) names.push_back(column.name);
+    if (std::memcmp(&left[column.offset], &right[column.offset], column.size) != 0) {
+      names.push_back(column.name);
+    }
   }
   return names;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,28 +10,11 @@
 
 namespace ar3d {
 
-enum class ColumnKind {
-  instance,  ///< describes the instance; also a column of /instances
-  run,       ///< with the instance: which run this is
-  result,    ///< a pure function of the instance, the algorithm and its options
-  metric,    ///< the same: a row of the table of verify/metrics/metrics.h
-  measured,  ///< times and memory: differ from run to run
-};
-
-/// Describes one column of /runs: the single description from which the file, its reader,
-/// comparisons and the schema page are made. Columns stand in the order of their bytes in a record.
-/// Name, unit and meaning of a metric are those of its row in verify/metrics/metrics.h.
-struct Column : Field {
-  ColumnKind kind = ColumnKind::result;
-  std::function<void(const RunRecord&, char*)> store;  ///< writes `size` bytes
-  std::function<void(const char*, RunRecord&)> load;   ///< reads `size` bytes
-};
-
-/// Returns all columns of /runs.
-const std::vector<Column>& run_columns();
-
-/// Returns the table /runs, whose fields are these columns.
+/// Returns the table /runs: the single description from which files, their readers, comparisons and
+/// the schema page are made. Columns stand in the order of their bytes in a record. Name, unit and
+/// meaning of a metric are those of its row in verify/metrics/metrics.h.
 const TableSpec& runs_spec();
+const std::vector<Column>& run_columns();
 
 /// Returns the column of that name. @throws InternalError if there is none.
 const Column& run_column(std::string_view name);
@@ -46,6 +28,7 @@ void require_storable(const RunRecord& run);
 
 /// Writes run_record_size() bytes. @throws InputError as require_storable.
 void store_record(const RunRecord& run, char* record);
+std::vector<char> record_of(const RunRecord& run);
 RunRecord load_record(const char* record);
 
 /// Returns the key of a record. @throws InputError as parse_row_key.
@@ -56,13 +39,20 @@ std::vector<Column> columns_of_kind(ColumnKind kind);
 
 /// Takes over the metrics of a drawing: all of them, in one go.
 void set_metrics(const DrawingSummary& summary, RunRecord& run);
+/// Takes over another row's results, metrics and bounds: those of the same drawing.
+void take_results(const RunRecord& from, RunRecord& run);
+
+/// Returns a record with the metrics of a row and nothing else, whatever its texts are.
+std::vector<char> metrics_record(const RunRecord& run);
 
 /// Returns the value for people and CSV files: text, a decimal integer, or the shortest decimal
 /// that reads back to the same double; "nan" if missing.
+std::string column_text(const Column& column, const char* record);
 std::string column_text(const Column& column, const RunRecord& run);
-
 /// Returns the value of a column of type int64 or float64; missing if it is -1 or NaN.
-double column_number(const Column& column, const RunRecord& run);
+double column_number(const Column& column, const char* record);
+/// Returns a metric of a row. Of many take them from metrics_record().
+double column_number(const Column& metric, const RunRecord& run);
 
 /// Returns the columns that are not measured and differ in their bits. Empty: the same result.
 std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b);

@@ -1,6 +1,5 @@
-// The small tables that stand beside the rows: what holds for all rows of an algorithm, and the
-// files whose graphs were drawn. One function names the columns of each; it describes the table,
-// and writes and reads its records.
+// The small tables that stand beside the rows: what holds for all rows of an algorithm, the files
+// whose graphs were drawn, and the sessions. One function names the columns of each (RecordPass).
 #include "ar3d/store/columns/side_tables.h"
 
 #include <fmt/format.h>
@@ -8,59 +7,14 @@
 #include <algorithm>
 #include <charconv>
 #include <set>
-#include <type_traits>
 
 #include "ar3d/base/error.h"
+#include "ar3d/store/columns/record_pass.h"
 
 namespace ar3d {
 namespace {
 
 constexpr std::size_t kSkippedFileBytes = 96;
-
-// Goes through the columns of a record in order: reads its bytes, or writes them, or describes
-// them if it has neither.
-class RecordPass {
- public:
-  RecordPass(TableSpec& spec, const char* from, char* to) : spec_(spec), from_(from), to_(to) {}
-
-  void table(const char* name, const char* title) {
-    if (describes()) spec_ = {name, title, {}};
-  }
-  void text(const std::string& name, std::size_t size, const char* meaning, std::string& value,
-            bool required = false) {
-    const Field& field = next({name, "", meaning, FieldType::text, size, 0, required});
-    if (from_ != nullptr) value = text_of(field, from_);
-    if (to_ == nullptr) return;
-    if (value != fitted_text(value, size)) {
-      throw InputError(fmt::format("/{}: a {} is no printable text of at most {} bytes: {}",
-                                   spec_.name, name, size, value));
-    }
-    value.copy(to_ + field.offset, value.size());
-  }
-  // Holds %XX for bytes that are no printable ASCII.
-  void path(const char* name, std::size_t size, const char* meaning, std::string& path,
-            bool required = false);
-  template <class Number>
-  void number(const std::string& name, const char* meaning, Number& value, bool required = true) {
-    constexpr FieldType kType =
-        std::is_same_v<Number, double> ? FieldType::float64 : FieldType::int64;
-    const Field& field = next({name, "1", meaning, kType, sizeof(value), 0, required});
-    if (from_ != nullptr) std::memcpy(&value, from_ + field.offset, sizeof(value));
-    if (to_ != nullptr) std::memcpy(to_ + field.offset, &value, sizeof(value));
-  }
-
- private:
-  bool describes() const { return from_ == nullptr && to_ == nullptr; }
-  const Field& next(Field field) {
-    if (describes()) spec_.fields.push_back(std::move(field));
-    return spec_.fields[next_++];
-  }
-
-  TableSpec& spec_;
-  const char* from_;
-  char* to_;
-  std::size_t next_ = 0;
-};
 
 std::string encoded(const std::string& path) {
   std::string text;
@@ -84,10 +38,11 @@ std::string decoded(const std::string& text) {
   return path;
 }
 
-void RecordPass::path(const char* name, std::size_t size, const char* meaning, std::string& path,
-                      bool required) {
+// Holds %XX for bytes that are no printable ASCII.
+void path_column(RecordPass& c, const char* name, std::size_t size, std::string& path,
+                 const char* meaning) {
   std::string code = encoded(path);
-  text(name, size, meaning, code, required);
+  c.text(name, size, code, meaning);
   path = decoded(code);
 }
 
@@ -97,19 +52,19 @@ void bound_columns(RecordPass& c, const std::string& whose, std::optional<SizeBo
   constexpr const char* kMeaning = "extent <= numerator / denominator * n^exponent + constant";
   SizeBound now = bound.value_or(SizeBound());
   std::string formula = bound ? now.formula() : "";
-  c.text(whose + "_name", 48, "whose bound it is", now.name);
-  c.text(whose + "_source", 96, "where it is proved or stands", now.source);
-  c.text(whose + "_formula", 256, "the bound by axis, for people", formula);
+  c.text(whose + "_name", 48, now.name, "whose bound it is");
+  c.text(whose + "_source", 96, now.source, "where it is proved or stands");
+  c.text(whose + "_formula", 256, formula, "the bound by axis, for people");
   bool is_there = true;
   for (std::size_t i = 0; i < 3; ++i) {
     AxisBound& axis = now.axes[i];
     if (!bound) axis = {-1, -1, 0, -1};
     double exponent = bound ? axis.half_power / 2.0 : kMissing;
     const char letter = "xyz"[i];
-    c.number(fmt::format("{}_numerator_{}", whose, letter), kMeaning, axis.numerator, false);
-    c.number(fmt::format("{}_denominator_{}", whose, letter), kMeaning, axis.denominator, false);
-    c.number(fmt::format("{}_exponent_{}", whose, letter), kMeaning, exponent, false);
-    c.number(fmt::format("{}_constant_{}", whose, letter), kMeaning, axis.constant, false);
+    c.number(fmt::format("{}_numerator_{}", whose, letter), "1", axis.numerator, kMeaning);
+    c.number(fmt::format("{}_denominator_{}", whose, letter), "1", axis.denominator, kMeaning);
+    c.number(fmt::format("{}_exponent_{}", whose, letter), "1", exponent, kMeaning);
+    c.number(fmt::format("{}_constant_{}", whose, letter), "1", axis.constant, kMeaning);
     is_there = is_there && !std::isnan(exponent);
     if (!is_there) continue;
     axis.half_power = static_cast<unsigned>(std::clamp(2 * exponent, 0.0, 100.0));
@@ -125,10 +80,11 @@ void bound_columns(RecordPass& c, const std::string& whose, std::optional<SizeBo
 // False of a record without a theorem, which is none.
 bool columns_of(RecordPass& c, AlgorithmRecord& record) {
   c.table("algorithms", "what follows from algorithm and options");
-  c.text("algorithm", 48, "drawing algorithm", record.algorithm);
-  c.text("options", 96, "its options, complete, in catalogue order", record.options);
+  c.next_are(ColumnKind::run, false);
+  c.text("algorithm", 48, record.algorithm, "drawing algorithm");
+  c.text("options", 96, record.options, "its options, complete, in catalogue order");
   double order = record.volume_order();  // follows from the bound
-  c.number("volume_order", "exponent of n in the product of the theorem's bounds", order, false);
+  c.number("volume_order", "1", order, "exponent of n in the product of the theorem's bounds");
   std::optional<SizeBound> theorem = record.theorem;
   bound_columns(c, "theorem", theorem);
   bound_columns(c, "published", record.published);
@@ -138,34 +94,37 @@ bool columns_of(RecordPass& c, AlgorithmRecord& record) {
 
 bool columns_of(RecordPass& c, GraphFileRecord& record) {
   c.table("graph_files", "files whose graphs are instances");
-  c.text("name", 48, "family of its rows", record.name, true);
-  c.number("entry", "which entry of the specification's graphs, from 0", record.entry);
-  c.number("graphs", "graphs in the file", record.graphs);
-  c.text("hash", 32, "XXH3-128 of its graphs in order", record.hash, true);
-  c.path("path", 1024, "absolute path; %XX for bytes that are no printable ASCII", record.path,
-         true);
-  c.path("groups", 1024, "absolute path of a collection's table of groups, as path", record.groups);
+  c.text("name", 48, record.name, "family of its rows");
+  c.number("entry", "1", record.entry, "which entry of the specification's graphs, from 0");
+  c.number("graphs", "1", record.graphs, "graphs in the file");
+  c.text("hash", 32, record.hash, "XXH3-128 of its graphs in order");
+  path_column(c, "path", 1024, record.path,
+              "absolute path; %XX for bytes that are no printable ASCII");
+  c.next_are(ColumnKind::run, false);
+  path_column(c, "groups", 1024, record.groups,
+              "absolute path of a collection's table of groups, as path");
   return true;
 }
 
 bool columns_of(RecordPass& c, SkippedFile& record) {
-  record.file = fitted_text(record.file, kSkippedFileBytes);
-  record.reason = fitted_text(record.reason, 240);
   c.table("skipped_files", "files of collections that could not be read");
-  c.text("name", 48, "of the collection", record.name);
-  c.text("file", kSkippedFileBytes, "path within it", record.file);
-  c.text("reason", 240, "why it could not be read", record.reason);
+  c.next_are(ColumnKind::run, false);
+  c.text("name", 48, record.name, "of the collection");
+  c.message("file", kSkippedFileBytes, record.file, "path within it");
+  c.message("reason", 240, record.reason, "why it could not be read");
   return true;
 }
 
 bool columns_of(RecordPass& c, CollectedFile& record) {
   c.table("collected_files", "files whose graphs are instances, as they were read");
-  c.text("name", 48, "family of their rows", record.name, true);
-  c.path("file", 512, "path within the collection, %XX as in graph_files", record.file);
-  c.text("group", 48, "in rows", record.group);
-  c.text("hash", 32, "XXH3-128 of its graphs in order", record.hash, true);
-  c.number("first", "place of its first graph", record.first);
-  c.number("graphs", "graphs in it", record.graphs);
+  c.text("name", 48, record.name, "family of their rows");
+  c.next_are(ColumnKind::run, false);
+  path_column(c, "file", 512, record.file, "path within the collection, %XX as in graph_files");
+  c.text("group", 48, record.group, "in rows");
+  c.next_are(ColumnKind::run, true);
+  c.text("hash", 32, record.hash, "XXH3-128 of its graphs in order");
+  c.number("first", "1", record.first, "place of its first graph");
+  c.number("graphs", "1", record.graphs, "graphs in it");
   return true;
 }
 
@@ -173,8 +132,18 @@ constexpr std::size_t kPieceBytes = 1000;
 
 bool columns_of(RecordPass& c, std::string& piece) {
   c.table("graphs", "graphs of files, as one text in pieces");
-  c.text("text", kPieceBytes, "words: #FAMILY, @PLACE, :SPARSE6, =NUMBER of an earlier :SPARSE6",
-         piece);
+  c.next_are(ColumnKind::run, false);
+  c.text("text", kPieceBytes, piece,
+         "words: #FAMILY, @PLACE, :SPARSE6, =NUMBER of an earlier :SPARSE6");
+  return true;
+}
+
+// Its texts are as wide as the widest of them.
+bool columns_of(RecordPass& c, EnvironmentEntry& entry) {
+  c.table("environments", "machine, compiler, libraries and settings of every session");
+  c.number("session", "1", entry.session, "which process of the study");
+  c.message("name", 1, entry.name, "what is described");
+  c.message("value", 1, entry.value, "its value");
   return true;
 }
 
@@ -182,13 +151,37 @@ template <class Record>
 TableSpec spec_of() {
   TableSpec spec;
   Record record;
-  RecordPass columns(spec, nullptr, nullptr);
-  columns_of(columns, record);
-  pack_fields(spec.fields);
+  RecordPass pass(spec);
+  columns_of(pass, record);
+  pack_columns(spec.columns);
   return spec;
 }
 
-// Words between blanks, so that a text field holds them.
+template <class Record>
+StoredTable table_of(const TableSpec& spec, const std::vector<Record>& records) {
+  StoredTable table{spec, {}};
+  const std::size_t size = record_size(spec.columns);
+  table.records.resize(records.size() * size);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    Record record = records[i];
+    RecordPass pass = RecordPass::writing(spec.columns, table.records.data() + i * size);
+    columns_of(pass, record);
+  }
+  return table;
+}
+
+template <class Record>
+std::vector<Record> records_of(const StoredTable& table) {
+  std::vector<Record> records;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    RecordPass pass = RecordPass::reading(table.spec.columns, table.record(i));
+    Record record;
+    if (columns_of(pass, record)) records.push_back(std::move(record));
+  }
+  return records;
+}
+
+// Words between blanks, so that a text column holds them.
 std::string text_of_graphs(const HeldGraphs& graphs) {
   std::string text;
   std::map<std::string_view, std::size_t> numbers;  // of texts that stand there
@@ -223,29 +216,13 @@ const std::vector<TableSpec>& side_table_specs() {
 
 template <class Record>
 StoredTable side_table(const std::vector<Record>& records) {
-  StoredTable table{spec_of<Record>(), {}};
-  const std::size_t size = record_size(table.spec.fields);
-  table.records.resize(records.size() * size);
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    Record record = records[i];
-    RecordPass columns(table.spec, nullptr, table.records.data() + i * size);
-    columns_of(columns, record);
-  }
-  return table;
+  return table_of(spec_of<Record>(), records);
 }
 
 template <class Record>
 std::vector<Record> side_records(const StudyIdentity& identity) {
-  std::vector<Record> records;
-  const StoredTable* table = find_table(identity, spec_of<Record>().name);
-  if (table == nullptr) return records;
-  TableSpec spec = table->spec;
-  for (std::size_t i = 0; i < table->size(); ++i) {
-    RecordPass columns(spec, table->record(i), nullptr);
-    Record record;
-    if (columns_of(columns, record)) records.push_back(std::move(record));
-  }
-  return records;
+  const StoredTable* const table = find_table(identity, spec_of<Record>().name);
+  return table == nullptr ? std::vector<Record>() : records_of<Record>(*table);
 }
 
 template StoredTable side_table(const std::vector<AlgorithmRecord>&);
@@ -256,6 +233,27 @@ template std::vector<AlgorithmRecord> side_records(const StudyIdentity&);
 template std::vector<GraphFileRecord> side_records(const StudyIdentity&);
 template std::vector<SkippedFile> side_records(const StudyIdentity&);
 template std::vector<CollectedFile> side_records(const StudyIdentity&);
+
+TableSpec environments_spec(std::size_t name_bytes, std::size_t value_bytes) {
+  TableSpec spec = spec_of<EnvironmentEntry>();
+  spec.columns[1].size = std::max<std::size_t>(1, name_bytes);
+  spec.columns[2].size = std::max<std::size_t>(1, value_bytes);
+  pack_columns(spec.columns);
+  return spec;
+}
+
+StoredTable environments_table(const std::vector<EnvironmentEntry>& environment) {
+  std::size_t name = 0, value = 0;
+  for (const EnvironmentEntry& entry : environment) {
+    name = std::max(name, entry.name.size());
+    value = std::max(value, entry.value.size());
+  }
+  return table_of(environments_spec(name, value), environment);
+}
+
+std::vector<EnvironmentEntry> environment_of(const StoredTable& table) {
+  return records_of<EnvironmentEntry>(table);
+}
 
 const AlgorithmRecord* find_algorithm_record(const std::vector<AlgorithmRecord>& records,
                                              std::string_view algorithm, std::string_view options) {

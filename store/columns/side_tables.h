@@ -51,12 +51,12 @@ struct CollectedFile {
   std::int64_t graphs = 0;  ///< in it
 };
 
-/// Returns names and fields of the tables that may stand beside the rows, those of records and
+/// Returns names and columns of the tables that may stand beside the rows, those of records and
 /// /graphs.
 const std::vector<TableSpec>& side_table_specs();
 
 /// Returns the table of records of one of the four kinds above. @throws InputError if a text does
-/// not fit its field (in a path each byte that is no printable ASCII counts three).
+/// not fit its column (in a path each byte that is no printable ASCII counts three).
 template <class Record>
 StoredTable side_table(const std::vector<Record>& records);
 
@@ -64,6 +64,11 @@ StoredTable side_table(const std::vector<Record>& records);
 /// @throws InputError naming the column if a bound of /algorithms is none.
 template <class Record>
 std::vector<Record> side_records(const StudyIdentity& identity);
+
+/// Returns /environments for texts of so many bytes, the table of these entries, and its entries.
+TableSpec environments_spec(std::size_t name_bytes, std::size_t value_bytes);
+StoredTable environments_table(const std::vector<EnvironmentEntry>& environment);
+std::vector<EnvironmentEntry> environment_of(const StoredTable& table);
 
 /// Returns the record of a run's algorithm and options; null if there is none.
 const AlgorithmRecord* find_algorithm_record(const std::vector<AlgorithmRecord>& records,

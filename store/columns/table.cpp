@@ -1,13 +1,17 @@
-// Fields and tables as bytes: journals and results files move records around without knowing what
-// their fields mean.
+// Columns and tables as bytes: journals and results files move records around without knowing what
+// their columns mean.
 #include "ar3d/store/columns/table.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 
+#include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/store/columns/record_pass.h"
 
 namespace ar3d {
 namespace {
@@ -17,17 +21,17 @@ bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 
 
 }  // namespace
 
-void store_missing(const Field& field, char* to) {
+void store_missing(const Column& column, char* to) {
   const std::int64_t no_integer = -1;
   const double no_number = std::numeric_limits<double>::quiet_NaN();
-  std::memset(to, 0, field.size);
-  if (field.type == FieldType::int64) std::memcpy(to, &no_integer, sizeof(no_integer));
-  if (field.type == FieldType::float64) std::memcpy(to, &no_number, sizeof(no_number));
+  std::memset(to, 0, column.size);
+  if (column.type == ColumnType::int64) std::memcpy(to, &no_integer, sizeof(no_integer));
+  if (column.type == ColumnType::float64) std::memcpy(to, &no_number, sizeof(no_number));
 }
 
-std::string text_of(const Field& field, const char* record) {
-  const char* from = record + field.offset;
-  return std::string(from, strnlen(from, field.size));
+std::string text_of(const Column& column, const char* record) {
+  const char* from = record + column.offset;
+  return std::string(from, strnlen(from, column.size));
 }
 
 std::string fitted_text(const std::string& text, std::size_t size) {
@@ -39,6 +43,27 @@ std::string fitted_text(const std::string& text, std::size_t size) {
   std::size_t end = std::min(size, fitted.size());
   while (end > 0 && end < fitted.size() && is_continuation(fitted[end])) --end;
   return fitted.substr(0, end);
+}
+
+void pack_columns(std::vector<Column>& columns) {
+  std::size_t offset = 0;
+  for (Column& column : columns) {
+    column.offset = offset;
+    offset += column.size;
+  }
+}
+
+std::size_t record_size(const std::vector<Column>& columns) {
+  return columns.empty() ? 0 : columns.back().offset + columns.back().size;
+}
+
+void RecordPass::store_text(const Column& column, const std::string& value) {
+  if (value.size() > column.size || !all_printable(value)) {
+    if (cuts_) return store_text(column, fitted_text(value, column.size));
+    throw InputError(
+        fmt::format("{} '{}' is not {} bytes of printable text", column.name, value, column.size));
+  }
+  value.copy(to_ + column.offset, value.size());
 }
 
 }  // namespace ar3d

@@ -21,27 +21,28 @@ constexpr int kMostDimensions = 2;
 constexpr std::size_t kLargestField = 1 << 20;  // bytes of a field whose size the file decides
 
 // Little-endian in a file.
-hid_t number_type(FieldType type, bool in_file) {
+hid_t number_type(ColumnType type, bool in_file) {
   switch (type) {
-    case FieldType::int64:
+    case ColumnType::int64:
       return in_file ? H5T_STD_I64LE : H5T_NATIVE_INT64;
-    case FieldType::uint64:
+    case ColumnType::uint64:
       return in_file ? H5T_STD_U64LE : H5T_NATIVE_UINT64;
     default:
       return in_file ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE;
   }
 }
 
-Hdf5Handle field_type(const Field& field, bool in_file) {
-  if (field.type == FieldType::text) return text_type(field.size, H5T_CSET_ASCII);
-  return Hdf5Handle(H5Tcopy(number_type(field.type, in_file)), H5Tclose, "copy a type");
+Hdf5Handle column_type(const Column& column, bool in_file) {
+  if (column.type == ColumnType::text) return text_type(column.size, H5T_CSET_ASCII);
+  return Hdf5Handle(H5Tcopy(number_type(column.type, in_file)), H5Tclose, "copy a type");
 }
 
-Hdf5Handle record_type(const std::vector<Field>& fields, bool in_file) {
-  Hdf5Handle record(H5Tcreate(H5T_COMPOUND, record_size(fields)), H5Tclose, "create a record type");
-  for (const Field& field : fields) {
-    const Hdf5Handle type = field_type(field, in_file);
-    hdf5_checked(H5Tinsert(record.get(), field.name.c_str(), field.offset, type.get()),
+Hdf5Handle record_type(const std::vector<Column>& columns, bool in_file) {
+  Hdf5Handle record(H5Tcreate(H5T_COMPOUND, record_size(columns)), H5Tclose,
+                    "create a record type");
+  for (const Column& column : columns) {
+    const Hdf5Handle type = column_type(column, in_file);
+    hdf5_checked(H5Tinsert(record.get(), column.name.c_str(), column.offset, type.get()),
                  "add a field to a record type");
   }
   return record;
@@ -102,7 +103,7 @@ Hdf5Handle create_dataset(hid_t file, const TableSpec& table) {
   hdf5_checked(H5Pset_chunk(properties.get(), 1, &kChunkRecords), "set chunks");
   hdf5_checked(H5Pset_deflate(properties.get(), kCompressionLevel), "set compression");
   hdf5_checked(H5Pset_obj_track_times(properties.get(), false), "leave time stamps out");
-  const Hdf5Handle type = record_type(table.fields, true);
+  const Hdf5Handle type = record_type(table.columns, true);
   return {H5Dcreate2(file, table.name.c_str(), type.get(), space.get(), H5P_DEFAULT,
                      properties.get(), H5P_DEFAULT),
           H5Dclose, "create a table"};
@@ -112,12 +113,12 @@ void describe(hid_t dataset, const TableSpec& table) {
   write_attribute(dataset, "CLASS", "TABLE");
   write_attribute(dataset, "VERSION", "2.7");
   write_attribute(dataset, "TITLE", table.title);
-  for (std::size_t i = 0; i < table.fields.size(); ++i) {
-    write_attribute(dataset, fmt::format("FIELD_{}_NAME", i), table.fields[i].name);
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    write_attribute(dataset, fmt::format("FIELD_{}_NAME", i), table.columns[i].name);
   }
-  for (const Field& field : table.fields) {
-    write_attribute(dataset, field.name + ".unit", field.unit);
-    write_attribute(dataset, field.name + ".meaning", field.meaning);
+  for (const Column& column : table.columns) {
+    write_attribute(dataset, column.name + ".unit", column.unit);
+    write_attribute(dataset, column.name + ".meaning", column.meaning);
   }
 }
 
@@ -151,33 +152,33 @@ std::optional<Hdf5Handle> member_type(hid_t record, const std::string& name) {
                     "read a field's type");
 }
 
-// Of the wanted fields those that the file has.
-std::vector<Field> stored_fields(hid_t dataset, const TableSpec& table) {
+// Of the wanted columns those that the file has.
+std::vector<Column> stored_columns(hid_t dataset, const TableSpec& table) {
   const Hdf5Handle record = type_of(dataset, table.name);
-  std::vector<Field> found;
-  for (Field field : table.fields) {
-    const std::optional<Hdf5Handle> type = member_type(record.get(), field.name);
-    if (!type && field.required) {
-      throw Hdf5Error(fmt::format("/{} has no field '{}'", table.name, field.name));
+  std::vector<Column> found;
+  for (Column column : table.columns) {
+    const std::optional<Hdf5Handle> type = member_type(record.get(), column.name);
+    if (!type && column.required) {
+      throw Hdf5Error(fmt::format("/{} has no field '{}'", table.name, column.name));
     }
     if (!type) continue;
-    if (H5Tequal(type->get(), field_type(field, true).get()) <= 0) {
-      throw Hdf5Error(fmt::format("/{}: field '{}' has another type", table.name, field.name));
+    if (H5Tequal(type->get(), column_type(column, true).get()) <= 0) {
+      throw Hdf5Error(fmt::format("/{}: field '{}' has another type", table.name, column.name));
     }
-    found.push_back(std::move(field));
+    found.push_back(std::move(column));
   }
   if (found.empty()) throw Hdf5Error(fmt::format("/{} has none of its fields", table.name));
   return found;
 }
 
-std::vector<Field> packed(std::vector<Field> fields) {
-  pack_fields(fields);
-  return fields;
+std::vector<Column> packed(std::vector<Column> columns) {
+  pack_columns(columns);
+  return columns;
 }
 
-std::vector<char> record_without_values(const std::vector<Field>& fields) {
-  std::vector<char> record(record_size(fields));
-  for (const Field& field : fields) store_missing(field, record.data() + field.offset);
+std::vector<char> record_without_values(const std::vector<Column>& columns) {
+  std::vector<char> record(record_size(columns));
+  for (const Column& column : columns) store_missing(column, record.data() + column.offset);
   return record;
 }
 
@@ -201,9 +202,9 @@ Hdf5Handle open_own_dataset(hid_t file, const std::string& name) {
 }
 
 TableWriter::TableWriter(hid_t file, const TableSpec& table)
-    : type_(record_type(table.fields, false)),
+    : type_(record_type(table.columns, false)),
       dataset_(create_dataset(file, table)),
-      record_size_(record_size(table.fields)) {
+      record_size_(record_size(table.columns)) {
   describe(dataset_.get(), table);
   buffer_.reserve(kChunkRecords * record_size_);
 }
@@ -239,11 +240,11 @@ void write_table(hid_t file, const StoredTable& table) {
 
 TableReader::TableReader(hid_t file, const TableSpec& table, std::uint64_t file_bytes)
     : dataset_(open_own_dataset(file, table.name)),
-      wanted_(stored_fields(dataset_.get(), table)),
+      wanted_(stored_columns(dataset_.get(), table)),
       found_(packed(wanted_)),
-      missing_(record_without_values(table.fields)),
+      missing_(record_without_values(table.columns)),
       type_(record_type(found_, false)),
-      as_it_is_(found_.size() == table.fields.size()),
+      as_it_is_(found_.size() == table.columns.size()),
       size_(record_count(dataset_.get(), table.name, file_bytes)) {}
 
 const char* TableReader::read(std::size_t i) {
@@ -274,7 +275,7 @@ StoredTable read_table(hid_t file, const TableSpec& table, std::uint64_t file_by
   StoredTable stored{table, {}};
   for (std::size_t i = 0; i < reader.size(); ++i) {
     const char* record = reader.read(i);
-    stored.records.insert(stored.records.end(), record, record + record_size(table.fields));
+    stored.records.insert(stored.records.end(), record, record + record_size(table.columns));
   }
   return stored;
 }

@@ -15,7 +15,7 @@ inline constexpr std::uint64_t kMostRecordsPerByte = 1100;
 
 // A TableSpec in an HDF5 file is a one-dimensional dataset of a compound type, chunked and
 // compressed, with the attributes by which PyTables (hence pandas.read_hdf) knows its tables, and
-// `<field>.unit` and `<field>.meaning` for every field.
+// `<column>.unit` and `<column>.meaning` for every column.
 
 /// Opens a dataset whose bytes are all in this very file and that only needs deflate to be read.
 /// @throws Hdf5Error if it is missing, lies behind a soft or external link, has external or virtual
@@ -48,24 +48,24 @@ void write_table(hid_t file, const StoredTable& table);
 /// Represents a table of an open file, read by record number. Memory: a chunk of records.
 class TableReader {
  public:
-  /// Finds fields by name; fields of the file that are not asked for are ignored, those that
+  /// Finds columns by name; columns of the file that are not asked for are ignored, those that
   /// are not in the file are missing in every record.
-  /// @throws Hdf5Error if the table or a required field is missing, a field is not exactly of its
+  /// @throws Hdf5Error if the table or a required column is missing, a column is not exactly of its
   /// type, or the table is not stored as this program stores tables: chunked, deflated or plain, in
   /// the file itself, and with no more records than `file_bytes` can hold.
   TableReader(hid_t file, const TableSpec& table, std::uint64_t file_bytes);
   std::size_t size() const { return size_; }
-  /// Returns record i, laid out as table.fields; valid until the next call. Cheap if i is near the
+  /// Returns record i, laid out as table.columns; valid until the next call. Cheap if i is near the
   /// one before. @throws Hdf5Error
   const char* read(std::size_t i);
 
  private:
   Hdf5Handle dataset_;
-  std::vector<Field> wanted_;  // those that the file has, at their places in a record
-  std::vector<Field> found_;   // the same, packed
-  std::vector<char> missing_;  // a record without any value
-  Hdf5Handle type_;            // of found_
-  bool as_it_is_;              // the file has all fields that are asked for
+  std::vector<Column> wanted_;  // those that the file has, at their places in a record
+  std::vector<Column> found_;   // the same, packed
+  std::vector<char> missing_;   // a record without any value
+  Hdf5Handle type_;             // of found_
+  bool as_it_is_;               // the file has all columns that are asked for
   std::size_t size_ = 0;
   std::size_t first_ = 0;
   std::size_t count_ = 0;
@@ -79,7 +79,7 @@ StoredTable read_table(hid_t file, const TableSpec& table, std::uint64_t file_by
 /// Returns true if there is a table of that name. @throws Hdf5Error if it is a link elsewhere.
 bool has_table(hid_t file, const std::string& name);
 
-/// Returns the size in bytes of a text field of a table in the file.
+/// Returns the size in bytes of a text column of a table in the file.
 std::size_t stored_text_size(hid_t file, const std::string& table, const std::string& field);
 
 }  // namespace ar3d

@@ -1,6 +1,27 @@
-// Results files: HDF5 with a checksum behind it. They are read row by row. HDF5 never sees a file
-// that is damaged, as its checksum tells; and since a checksum can be forged and HDF5 crashes on
-// some files, it sees none in this process.
+// THE RESULTS FILE, VERSION 3
+//
+// A results file is an HDF5 file and, behind its end, 40 bytes that HDF5 does not look at:
+//
+//   attributes of /   format = ar3d-results, format_version = 3, and the study's identity
+//   /spec             the specification, byte by byte; its hash is an attribute
+//   /environments     session, name, value
+//   /algorithms, …    side tables, those that the study has
+//   /instances        one record per graph: the columns of /runs of kind `instance`
+//   /runs             one record per row, in the order of the plan
+//   "ar3d-checksum 1\n", the number of bytes before (8 bytes, little endian), and XXH3-128 of
+//                     everything up to there (canonical form: big endian)
+//
+// Every table is a one-dimensional dataset of a compound type, whose fields are the columns of its
+// description (columns/table.h), chunked and deflated. What each column is called and means is in
+// results/SCHEMA.md, which a test compares with the descriptions.
+//
+// WRITING. A new file beside the old one, fsync, rename. HDF5 never sees a write fail
+// (hdf5_output.cpp): it would not give the file up.
+//
+// READING. HDF5 sees no damaged file: the checksum is verified before. Since a checksum can be
+// forged and HDF5 crashes on some files, it sees none in this process either: a child opens the
+// file and answers with records, 512 at once. Links, foreign filters, huge chunks and more records
+// than the bytes can hold are refused there before anything is allocated (hdf5_table.cpp).
 #include "ar3d/store/hdf5/results_file.h"
 
 #include <fcntl.h>
@@ -35,38 +56,6 @@ constexpr std::size_t kLargestSpec = std::size_t{1} << 26;
 constexpr std::size_t kBlockRows = 512;    // that a question brings
 constexpr std::uint64_t kDescription = 0;  // the question for it; i + 1 asks for block i
 
-// /environments of all sessions, as wide as its texts are.
-TableSpec environments_spec(std::size_t name, std::size_t value) {
-  TableSpec spec{"environments", "machine, compiler, libraries and settings of every session", {}};
-  spec.fields = {
-      {"session", "1", "which process of the study", FieldType::int64, sizeof(std::int64_t)},
-      {"name", "", "what is described", FieldType::text, std::max<std::size_t>(1, name)},
-      {"value", "", "its value", FieldType::text, std::max<std::size_t>(1, value)}};
-  pack_fields(spec.fields);
-  return spec;
-}
-
-StoredTable environments_table(const std::vector<EnvironmentEntry>& environment) {
-  std::size_t name_size = 0, value_size = 0;
-  for (const EnvironmentEntry& entry : environment) {
-    name_size = std::max(name_size, entry.name.size());
-    value_size = std::max(value_size, entry.value.size());
-  }
-  StoredTable table{environments_spec(name_size, value_size), {}};
-  const std::vector<Field>& fields = table.spec.fields;
-  table.records.resize(environment.size() * record_size(fields));
-  char* to = table.records.data();
-  for (const EnvironmentEntry& entry : environment) {
-    const std::string name = fitted_text(entry.name, fields[1].size);
-    const std::string value = fitted_text(entry.value, fields[2].size);
-    std::memcpy(to, &entry.session, sizeof(entry.session));
-    name.copy(to + fields[1].offset, name.size());
-    value.copy(to + fields[2].offset, value.size());
-    to += record_size(fields);
-  }
-  return table;
-}
-
 void write_root_attributes(hid_t file, const StudyIdentity& results) {
   write_attribute(file, "format", kResultsFormat);
   write_attribute(file, "format_version", kResultsFormatVersion);
@@ -97,8 +86,8 @@ void write_spec(hid_t file, const std::string& spec) {
 
 TableSpec instances_spec() {
   TableSpec spec{"instances", "one record per graph", {}};
-  for (const Column& column : columns_of_kind(ColumnKind::instance)) spec.fields.push_back(column);
-  pack_fields(spec.fields);
+  for (const Column& column : columns_of_kind(ColumnKind::instance)) spec.columns.push_back(column);
+  pack_columns(spec.columns);
   return spec;
 }
 
@@ -173,19 +162,11 @@ std::string read_spec(hid_t file) {
 }
 
 std::vector<EnvironmentEntry> read_environment(hid_t file, std::uint64_t bytes) {
-  const StoredTable table =
+  return environment_of(
       read_table(file,
                  environments_spec(stored_text_size(file, "environments", "name"),
                                    stored_text_size(file, "environments", "value")),
-                 bytes);
-  std::vector<EnvironmentEntry> entries;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    EnvironmentEntry& entry = entries.emplace_back();
-    std::memcpy(&entry.session, table.record(i), sizeof(entry.session));
-    entry.name = text_of(table.spec.fields[1], table.record(i));
-    entry.value = text_of(table.spec.fields[2], table.record(i));
-  }
-  return entries;
+                 bytes));
 }
 
 StudyIdentity read_identity(hid_t file) {
@@ -306,7 +287,6 @@ RunReader::RunReader(const std::string& path) : path_(path), process_(process_fo
   if (size_ / kMostRecordsPerByte > std::filesystem::file_size(path)) {
     throw InputError(fmt::format("{} is damaged: it cannot hold {} rows", path, size_));
   }
-  algorithms_ = side_records<AlgorithmRecord>(identity_);
 }
 
 std::vector<std::vector<EnvironmentEntry>> RunReader::sessions() const {
@@ -338,18 +318,6 @@ const char* RunReader::record(std::size_t i) {
 
 void RunReader::read(std::size_t i, char* record) {
   std::memcpy(record, this->record(i), run_record_size());
-}
-
-RunRecord RunReader::read(std::size_t i) {
-  const char* bytes = record(i);
-  try {
-    RunRecord run = load_record(bytes);
-    if (!run.row_key.empty()) parse_row_key(run.row_key);
-    set_bounds(find_algorithm_record(algorithms_, run.algorithm, run.options), run);
-    return run;
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: row {}: {}", path_, i, error.what()));
-  }
 }
 
 RowKey RunReader::key(std::size_t i) {

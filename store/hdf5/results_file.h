@@ -11,7 +11,7 @@
 
 namespace ar3d {
 
-/// Represents a results file, read row by row. Memory: a few hundred rows, however many there are.
+/// Represents a results file, read record by record. Memory: a few hundred rows, however many there are.
 /// The file's checksum is verified before HDF5 sees the file, and HDF5 sees it in a process of
 /// its own, so that nothing that another program has written can crash or hang this one. The page
 /// results/SCHEMA.md describes the file.
@@ -27,15 +27,12 @@ class RunReader {
   const std::vector<EnvironmentEntry>& environment() const { return environment_; }
   /// Returns the entries of each session. @throws InputError naming a session that has none.
   std::vector<std::vector<EnvironmentEntry>> sessions() const;
-  const std::vector<AlgorithmRecord>& algorithms() const { return algorithms_; }
   std::size_t size() const { return size_; }
 
   /// Returns record i, valid until the next call; cheap if i is near the one before. What the file
   /// has no column for is missing: -1, NaN or empty. @throws InputError naming the file.
   const char* record(std::size_t i);
   void read(std::size_t i, char* record);
-  /// Returns row i with its bounds. @throws InputError naming file and row.
-  RunRecord read(std::size_t i);
   /// @throws InputError naming file and row.
   RowKey key(std::size_t i);
 
@@ -44,7 +41,6 @@ class RunReader {
   ReaderProcess process_;
   StudyIdentity identity_;
   std::vector<EnvironmentEntry> environment_;
-  std::vector<AlgorithmRecord> algorithms_;
   std::size_t size_ = 0;
   std::size_t block_ = SIZE_MAX;  // that is in `rows_`
   std::string rows_;

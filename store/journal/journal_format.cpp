@@ -1,5 +1,36 @@
-// A journal's lines and what stands in them as JSON: rows, tables, the study's identity, sessions.
-// Rows and heads of lines are written and read by hand, since there are millions of them.
+// THE JOURNAL, VERSION 3
+//
+// While a study runs, its rows are in journals beside the results file: NAME.h5.journal, and
+// NAME.h5.rank-1.journal and so on of further ranks. A journal is a file of records, each one line:
+//
+//   {"rows":R,"not_ok":K,"KIND":PAYLOAD,"xxh3":"CHECKSUM"}
+//
+//   R         rows of the journal up to and with this record
+//   K         how many of them are neither ok nor measured
+//   KIND      what the record holds; it says what the payload is:
+//     ar3d_journal   the study, {"version":3,"study_id":…,"spec":…,…}: the specification verbatim,
+//                    the side tables [{"name":…,"columns":…,"records":[{…},…]},…] and the columns
+//                    of rows, [[name, type, bytes], …]
+//     session        [[name, value], …]: where the rows to come are made
+//     row            {"row_key":…,…}: its columns in their order, without those that hold no value
+//     session_end    as session: what is known only at the end
+//   CHECKSUM  XXH3 (64 bits, hexadecimal digits) of the line's bytes before ,"xxh3", with the line's
+//             offset in the file as seed: a record that was moved fails
+//
+// The first record is ar3d_journal, and a row belongs to the session before it. JSON is written and
+// read by hand where there are millions: in heads of lines and in rows. Every number of a row reads
+// back bit for bit; what is no finite number, and not missing, stands as the 16 hexadecimal digits
+// of its bits.
+//
+// WRITING. One process has the file locked (F_OFD_SETLK) and appends each record by one write(2).
+// A row is acknowledged when that call has returned; a thread calls fdatasync every second. Where
+// locks do nothing a writer sees that its record does not stand at its offset, and ends.
+//
+// READING. Records count up to the first that is not whole. If no whole one stands behind it, it is
+// what a crash has left: the next writer cuts it off, and keeps in NAME.h5.journal.cut-1 (-2, …)
+// what is more than the beginning of one record. If a whole one does, the file is damaged: it is
+// refused with the offset, and nothing is changed. Two ends tell the standing: the study is in the
+// first record, R and K are in the last.
 #include "ar3d/store/journal/journal_format.h"
 
 #include <fmt/format.h>
@@ -64,12 +95,12 @@ bool take_head(std::string_view& line, JournalRecord& record) {
   return kind != kKinds.end() && take(line, word) && take(line, "\":");
 }
 
-Json as_json(const std::vector<Field>& fields) {
-  Json columns = Json::array();
-  for (const Field& field : fields) {
-    columns.push_back({field.name, static_cast<int>(field.type), field.size});
+Json as_json(const std::vector<Column>& columns) {
+  Json json = Json::array();
+  for (const Column& column : columns) {
+    json.push_back({column.name, static_cast<int>(column.type), column.size});
   }
-  return columns;
+  return json;
 }
 
 // Environments come from the system, which knows no character set.
@@ -93,15 +124,15 @@ Value value_at(const char* from) {
   return value;
 }
 
-bool is_missing(const Field& field, const char* from) {
-  if (field.type == FieldType::text) return *from == 0;
+bool is_missing(const Column& column, const char* from) {
+  if (column.type == ColumnType::text) return *from == 0;
   std::array<char, sizeof(std::uint64_t)> none{};
-  store_missing(field, none.data());
+  store_missing(column, none.data());
   return std::memcmp(none.data(), from, none.size()) == 0;
 }
 
-void write_text(std::string_view text, const Field& field, std::string& json) {
-  if (!all_printable(text)) throw InputError(field.name + " is no printable text");
+void write_text(std::string_view text, const Column& column, std::string& json) {
+  if (!all_printable(text)) throw InputError(column.name + " is no printable text");
   json += '"';
   for (const char c : text) {
     if (c == '"' || c == '\\') json += '\\';
@@ -111,18 +142,18 @@ void write_text(std::string_view text, const Field& field, std::string& json) {
 }
 
 // JSON has no infinity: its bits are written then, in hexadecimal digits.
-void write_value(const Field& field, const char* from, std::string& json) {
+void write_value(const Column& column, const char* from, std::string& json) {
   const auto out = std::back_inserter(json);
-  switch (field.type) {
-    case FieldType::text:
-      return write_text({from, strnlen(from, field.size)}, field, json);
-    case FieldType::int64:
+  switch (column.type) {
+    case ColumnType::text:
+      return write_text({from, strnlen(from, column.size)}, column, json);
+    case ColumnType::int64:
       fmt::format_to(out, "{}", value_at<std::int64_t>(from));
       return;
-    case FieldType::uint64:
+    case ColumnType::uint64:
       fmt::format_to(out, "{}", value_at<std::uint64_t>(from));
       return;
-    case FieldType::float64:
+    case ColumnType::float64:
       const auto value = value_at<double>(from);
       if (!std::isfinite(value)) {
         fmt::format_to(out, "\"{:016x}\"", value_at<std::uint64_t>(from));
@@ -134,28 +165,28 @@ void write_value(const Field& field, const char* from, std::string& json) {
   }
 }
 
-// A text without its escapes. False if it has no end or is longer than its field.
-bool take_text(std::string_view& json, const Field& field, char* to) {
+// A text without its escapes. False if it has no end or is longer than its column.
+bool take_text(std::string_view& json, const Column& column, char* to) {
   if (!take(json, "\"")) return false;
-  for (std::size_t i = 0; i <= field.size; ++i) {
+  for (std::size_t i = 0; i <= column.size; ++i) {
     if (take(json, "\"")) return true;
     take(json, "\\");
-    if (json.empty() || i == field.size) return false;
+    if (json.empty() || i == column.size) return false;
     to[i] = json.front();
     json.remove_prefix(1);
   }
   return false;
 }
 
-bool take_value(std::string_view& json, const Field& field, char* to) {
-  switch (field.type) {
-    case FieldType::text:
-      return take_text(json, field, to);
-    case FieldType::int64:
+bool take_value(std::string_view& json, const Column& column, char* to) {
+  switch (column.type) {
+    case ColumnType::text:
+      return take_text(json, column, to);
+    case ColumnType::int64:
       return take_number<std::int64_t>(json, to);
-    case FieldType::uint64:
+    case ColumnType::uint64:
       return take_number<std::uint64_t>(json, to);
-    case FieldType::float64:
+    case ColumnType::float64:
       break;
   }
   if (!take(json, "\"")) return take_number<double>(json, to);
@@ -168,11 +199,11 @@ Json tables_as_json(const StudyIdentity& identity) {
     Json records = Json::array();
     for (std::size_t i = 0; i < table.size(); ++i) {
       std::string record;
-      write_record(table.spec.fields, table.record(i), record);
+      write_record(table.spec.columns, table.record(i), record);
       records.push_back(Json::parse(record));
     }
     tables.push_back({{"name", table.spec.name},
-                      {"columns", as_json(table.spec.fields)},
+                      {"columns", as_json(table.spec.columns)},
                       {"records", std::move(records)}});
   }
   return tables;
@@ -182,12 +213,12 @@ std::vector<StoredTable> parse_tables(const Json& json, const std::string& path)
   std::vector<StoredTable> tables;
   for (const Json& entry : json) {
     for (const TableSpec& spec : side_table_specs()) {
-      if (entry.at("name") != spec.name || entry.at("columns") != as_json(spec.fields)) continue;
-      const std::size_t size = record_size(spec.fields);
+      if (entry.at("name") != spec.name || entry.at("columns") != as_json(spec.columns)) continue;
+      const std::size_t size = record_size(spec.columns);
       tables.push_back({spec, std::vector<char>(size * entry.at("records").size())});
       char* to = tables.back().records.data();
       for (const Json& record : entry.at("records")) {
-        parse_record(spec.fields, record.dump(), path, std::exchange(to, to + size));
+        parse_record(spec.columns, record.dump(), path, std::exchange(to, to + size));
       }
     }
   }
@@ -230,27 +261,27 @@ bool is_cut_short(std::string_view bytes) {
          bytes.find('\0') == bytes.npos && (tail == bytes.npos || bytes.size() < tail + kTailSize);
 }
 
-void write_record(const std::vector<Field>& fields, const char* record, std::string& json) {
+void write_record(const std::vector<Column>& columns, const char* record, std::string& json) {
   json += '{';
-  for (const Field& field : fields) {
-    const char* from = record + field.offset;
-    if (is_missing(field, from)) continue;
-    json.append(json.back() == '{' ? "\"" : ",\"").append(field.name).append("\":");
-    write_value(field, from, json);
+  for (const Column& column : columns) {
+    const char* from = record + column.offset;
+    if (is_missing(column, from)) continue;
+    json.append(json.back() == '{' ? "\"" : ",\"").append(column.name).append("\":");
+    write_value(column, from, json);
   }
   json += '}';
 }
 
-void parse_record(const std::vector<Field>& fields, std::string_view json, const std::string& path,
-                  char* record) {
+void parse_record(const std::vector<Column>& columns, std::string_view json,
+                  const std::string& path, char* record) {
   std::string key;
   bool is_good = take(json, "{");
-  for (const Field& field : fields) {
-    char* to = record + field.offset;
-    store_missing(field, to);
-    key.append("\"").append(field.name).append("\":");
+  for (const Column& column : columns) {
+    char* to = record + column.offset;
+    store_missing(column, to);
+    key.append("\"").append(column.name).append("\":");
     if (take(json, key)) {
-      is_good = is_good && take_value(json, field, to);
+      is_good = is_good && take_value(json, column, to);
       key.assign(1, ',');
     } else {
       key.resize(key.starts_with(',') ? 1 : 0);
@@ -277,14 +308,14 @@ std::string identity_text(const StudyIdentity& identity) {
                  {"shard", {identity.shard.index, identity.shard.count}},
                  {"planned_rows", identity.planned_rows},
                  {"tables", tables_as_json(identity)},
-                 {"columns", as_json(runs_spec().fields)}});
+                 {"columns", as_json(runs_spec().columns)}});
 }
 
 StudyIdentity parse_identity(std::string_view text, const std::string& path) {
   return parsed(text, path, [&](const Json& json) {
     StudyIdentity identity;
     json.at("source_hash").get_to(identity.source_hash);
-    if (json.at("columns") != as_json(runs_spec().fields)) {
+    if (json.at("columns") != as_json(runs_spec().columns)) {
       throw InputError(
           fmt::format("{}: its rows have other columns; it was written by the program of source {}",
                       path, identity.source_hash));

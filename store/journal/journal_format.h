@@ -57,13 +57,13 @@ std::uint64_t scan_journal(int file, const std::string& path,
 /// however long the file is; one without rows if there is none. @throws InputError as scan_journal.
 JournalRecord last_journal_record(int file, const std::string& path);
 
-/// Appends a record as a JSON object of its fields, without those that hold what stands for no
+/// Appends a record as a JSON object of its columns, without those that hold what stands for no
 /// value. Every number reads back bit for bit. @throws InputError if a text is not printable.
-void write_record(const std::vector<Field>& fields, const char* record, std::string& json);
+void write_record(const std::vector<Column>& columns, const char* record, std::string& json);
 /// Reads what write_record() has written; anything else is refused, other JSON too.
 /// @throws InputError naming `path` and the place.
-void parse_record(const std::vector<Field>& fields, std::string_view json, const std::string& path,
-                  char* record);
+void parse_record(const std::vector<Column>& columns, std::string_view json,
+                  const std::string& path, char* record);
 /// Returns the key of a row without a look at the rest of it. @throws InputError
 RowKey key_of_row(std::string_view json);
 

@@ -182,7 +182,8 @@ void JournalReader::note(const JournalRecord& record) {
       }
       return;
     case JournalKind::row:
-      rows_.push_back({key_of_row(record.payload), record.payload_offset, record.payload.size()});
+      keys_.push_back(key_of_row(record.payload));
+      rows_.push_back({record.payload_offset, record.payload.size()});
       return;
   }
 }
@@ -195,7 +196,7 @@ void JournalReader::read(std::size_t i, char* record) const {
       static_cast<ssize_t>(json.size())) {
     refuse_reading(path_, errno);
   }
-  parse_record(runs_spec().fields, json, path_, record);
+  parse_record(runs_spec().columns, json, path_, record);
 }
 
 }  // namespace ar3d

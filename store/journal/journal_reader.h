@@ -22,7 +22,8 @@ struct JournalStatus {
 JournalStatus journal_status(const std::string& path);
 
 /// Represents a journal's rows in the order in which they were made; may be written meanwhile: what
-/// is whole when it is opened counts. Memory: 32 bytes per row.
+/// is whole when it is opened counts. Memory: 32 bytes per row, 16 once keys
+/// are dropped.
 class JournalReader {
  public:
   /// @throws InputError if it cannot be read, is no journal, has other columns, or is damaged
@@ -35,13 +36,15 @@ class JournalReader {
   std::size_t size() const { return rows_.size(); }
   /// Returns where the last whole record ends.
   std::uint64_t whole_bytes() const { return whole_bytes_; }
-  RowKey key(std::size_t i) const { return rows_[i].key; }
+  /// Returns its key, while keys are held.
+  RowKey key(std::size_t i) const { return keys_.at(i); }
+  /// Holds no keys any more, for those who have an index of their own.
+  void drop_keys() { keys_ = {}; }
   /// Writes a record. @throws InputError
   void read(std::size_t i, char* record) const;
 
  private:
   struct Row {
-    RowKey key;
     std::uint64_t offset = 0;  // of its JSON
     std::size_t size = 0;
   };
@@ -53,6 +56,7 @@ class JournalReader {
   std::uint64_t whole_bytes_ = 0;
   StudyIdentity identity_;
   std::vector<std::vector<EnvironmentEntry>> sessions_;
+  std::vector<RowKey> keys_;
   std::vector<Row> rows_;
 };
 

@@ -150,7 +150,7 @@ void JournalWriter::append(const RunRecord& run) {
 void JournalWriter::append_record(const char* record) {
   static const Column& column = run_column("status");
   json_.clear();
-  write_record(runs_spec().fields, record, json_);
+  write_record(runs_spec().columns, record, json_);
   const std::string status = text_of(column, record);
   const bool is_ok = status == "ok" || status == "measured";
   write_line({JournalKind::row, last_.rows + 1, last_.not_ok + (is_ok ? 0 : 1)});

@@ -76,7 +76,7 @@ TEST(BoundsTable, VolumesAreSetAgainstTheLeastPossible) {
   EXPECT_TRUE(std::isnan(curves_of(results).at(0).volume_over_least)) << "no such column";
   for (ar3d::RunRecord& run : results.runs) {
     const std::int64_t least = 256;
-    run_column("volume_at_least").load(reinterpret_cast<const char*>(&least), run);
+    set_volume_at_least(least, run);
   }
   EXPECT_NEAR(curves_of(results).at(0).volume_over_least, 2048.0 / 256, 1e-9);
 }

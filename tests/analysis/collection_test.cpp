@@ -72,7 +72,7 @@ TEST(Collection, PairsNameTheirOutliersAndOpenThem) {
   EXPECT_EQ((*worst)["other_row"], 417);
   EXPECT_NEAR((*worst)["ratio"], 1024, 1);
   EXPECT_EQ(rows_with(tables["graphs"], "row", 17).at(0)["name"], "grafo17.graphml");
-  const std::vector<std::size_t> rows = rows_to_show(analyse(view_of(results)), 200, 1000);
+  const std::vector<std::size_t> rows = rows_to_show(analyse(ar3d::Rows(results)), 200, 1000);
   EXPECT_THAT(rows, Contains(17u));
   EXPECT_THAT(rows, Contains(417u));
 }

@@ -56,7 +56,8 @@ TEST(ReportParts, SaysWhatChangedSinceTheReference) {
 
 TEST(ReportParts, StoresTheGraphsThatComeClosestFirst) {
   const Results results = good_results({"diamond", "grid"}, {"cubic", "prism"}, 5, 2);
-  const StudyAnalysis analysis = analyse(view_of(results));
+  const Rows of_results(results);
+  const StudyAnalysis analysis = analyse(of_results);
   const std::vector<std::size_t> rows = rows_to_show(analysis, 7, 128);
   ASSERT_EQ(rows.size(), 7u);
   EXPECT_EQ(std::set<std::size_t>(rows.begin(), rows.end()).size(), 7u);

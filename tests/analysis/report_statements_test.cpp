@@ -44,7 +44,7 @@ TEST(Report, PrintedCommandsNameTheFile) {
   results.tables.push_back(
       side_table<GraphFileRecord>({{"nets", 0, 2, std::string(32, 'a'), "/nets.s6"}}));
   results.runs[1].status = RunStatus::timeout;
-  RowView rows = view_of(results);
+  Rows rows(results);
   rows.file = "out/my runs.h5";
   const StudyAnalysis analysis = analyse(rows);
   EXPECT_EQ(analysis.verdict.findings.at(0).command, "ar3d replay 'out/my runs.h5' 1");

@@ -67,7 +67,7 @@ TEST(Report, HostileStringsStayData) {
 TEST(Report, EveryTableSaysWhatItsColumnsAre) {
   const Results results = good_results({"diamond", "grid"}, {"cubic"}, 9, 2);
   std::set<std::string> names;
-  for (const Table& table : report_tables(analyse(view_of(results)), {}, {}, true)) {
+  for (const Table& table : report_tables(analyse(Rows(results)), {}, {}, true)) {
     EXPECT_TRUE(names.insert(table.name).second) << table.name;
     EXPECT_EQ(table.cells.size() % table.columns.size(), 0u);
     EXPECT_NE(table.row_is, "");
@@ -185,7 +185,7 @@ TEST(Report, VolumesLieInABandBetweenTheirBounds) {
       << "rows of earlier programs have no bound from below";
   for (ar3d::RunRecord& run : results.runs) {
     const std::int64_t least = run.n * run.n * run.n;
-    run_column("volume_at_least").load(reinterpret_cast<const char*>(&least), run);
+    set_volume_at_least(least, run);
     run.log2_volume = std::log2(8.0 * static_cast<double>(least));
   }
   const auto bands = tables_of(results)["volume_bands"];
@@ -300,7 +300,7 @@ TEST(Report, FindingsNameWhatDrewWhichGraphAndOpenIt) {
   Results results = good_results({"diamond"}, {"cubic"}, 3, 2);
   results.runs[3].options = "effort=2";
   results.runs[3].extents[2] = 999999;
-  EXPECT_EQ(rows_to_show(analyse(view_of(results)), 5, 1000).front(), 3u);
+  EXPECT_EQ(rows_to_show(analyse(Rows(results)), 5, 1000).front(), 3u);
   const auto tables = tables_of(results);
   EXPECT_EQ(tables["verdict"][0]["word"], "VIOLATED");
   const auto finding = tables["findings"][0];
@@ -328,12 +328,12 @@ TEST(Report, MissingNumbersAreNull) {
 TEST(Export, CsvHasOneLineACellAndQuotes) {
   Results results = good_results({"diamond"}, {"a,\"b\"", "prism"}, 2, 2);
   results.runs[0].theorem_bound[0] = kMissing;
-  const std::string csv = bounds_csv(analyse(view_of(results)));
+  const std::string csv = bounds_csv(analyse(Rows(results)));
   EXPECT_EQ(occurrences(csv, "\r\n"), 3u);
   EXPECT_THAT(csv, HasSubstr("diamond,,\"a,\"\"b\"\"\",,16,32,4,4,0,"));
   EXPECT_THAT(csv, Not(HasSubstr("nan")));
   std::string boxes;
-  rows_csv(view_of(results), [&](std::string_view text) { boxes += text; });
+  rows_csv(Rows(results), [&](std::string_view text) { boxes += text; });
   EXPECT_EQ(occurrences(boxes, "\r\n"), 1u + results.runs.size());
   for (const Metric& metric : metrics()) EXPECT_THAT(boxes, HasSubstr("," + metric.name + ","));
   EXPECT_THAT(boxes,
@@ -341,16 +341,17 @@ TEST(Export, CsvHasOneLineACellAndQuotes) {
   EXPECT_THAT(boxes, Not(HasSubstr("nan")));
   for (const std::string formula : {"=1+1", "+1+1", "-1+1", "@SUM(A1)", "\tx"}) {
     Results hostile = good_results({"diamond"}, {formula}, 2, 2);
-    EXPECT_THAT(bounds_csv(analyse(view_of(hostile))), HasSubstr(",\"'" + formula + "\","));
+    EXPECT_THAT(bounds_csv(analyse(Rows(hostile))), HasSubstr(",\"'" + formula + "\","));
   }
-  const std::string growth = scaling_csv(analyse(view_of(results)));
+  const std::string growth = scaling_csv(analyse(Rows(results)));
   EXPECT_EQ(occurrences(growth, "\r\n"), 1u + 2 * 6);
   EXPECT_THAT(growth, HasSubstr("undecided"));
 }
 
 TEST(Export, JsonHoldsAllTablesWithAllDigits) {
   const Results results = good_results({"diamond"}, {"cubic"}, 9, 4);
-  const StudyAnalysis analysis = analyse(view_of(results));
+  const Rows of_results(results);
+  const StudyAnalysis analysis = analyse(of_results);
   const auto json = nlohmann::json::parse(analysis_json(analysis));
   EXPECT_EQ(json["format"], "ar3d tables 1");
   const auto tables = rows_by_table(report_tables(analysis, {}, {}, true));
@@ -359,8 +360,8 @@ TEST(Export, JsonHoldsAllTablesWithAllDigits) {
   EXPECT_EQ(tables["growth"][0]["exponent"].get<double>(), analysis.scaling[0].power.exponent);
   EXPECT_EQ(rows_with(tables["curves"], "quantity", "z extent").size(), 9u) << "the page has three";
   const Results hostile = hostile_results(), nothing;
-  EXPECT_NO_THROW(nlohmann::json::parse(analysis_json(analyse(view_of(hostile)))));
-  EXPECT_NO_THROW(nlohmann::json::parse(analysis_json(analyse(view_of(nothing)))));
+  EXPECT_NO_THROW(nlohmann::json::parse(analysis_json(analyse(Rows(hostile)))));
+  EXPECT_NO_THROW(nlohmann::json::parse(analysis_json(analyse(Rows(nothing)))));
 }
 
 }  // namespace

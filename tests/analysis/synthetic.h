@@ -2,13 +2,15 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "ar3d/analysis/report/report.h"
 #include "ar3d/base/random.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/rows.h"
 #include "support/tables.h"
 #include "support/test.h"
 
@@ -48,6 +50,13 @@ inline RunRecord good_run(const std::string& algorithm, const std::string& famil
   return run;
 }
 
+/// Sets a metric that has no member of its own.
+inline void set_volume_at_least(std::int64_t least, RunRecord& run) {
+  std::vector<char> record = record_of(run);
+  std::memcpy(&record[run_column("volume_at_least").offset], &least, sizeof(least));
+  run.other_metrics = load_record(record.data()).other_metrics;
+}
+
 /// All combinations, sizes 16, 32, … doubling.
 inline Results good_results(const std::vector<std::string>& algorithms,
                             const std::vector<std::string>& families, std::size_t sizes,
@@ -71,19 +80,19 @@ inline Results good_results(const std::vector<std::string>& algorithms,
   return results;
 }
 
-inline CheckVerdict check(const Results& results) { return ar3d::check(view_of(results)); }
+inline CheckVerdict check(const Results& results) { return ar3d::check(Rows(results)); }
 
 inline StudyTally tally_of(const Results& results) {
-  return ar3d::tally_of(view_of(results), check(results).is_last_repetition);
+  return ar3d::tally_of(Rows(results), check(results).is_last_repetition);
 }
 
 /// The curves, with their medians and bounds.
 inline std::vector<CurveTally> curves_of(const Results& results) {
-  return analyse(view_of(results)).tally.curves;
+  return analyse(Rows(results)).tally.curves;
 }
 
 inline std::string report_of(const Results& results) {
-  return render_report(analyse(view_of(results)));
+  return render_report(analyse(Rows(results)));
 }
 
 inline nlohmann::json rows_by_table(const std::vector<Table>& tables) {
@@ -92,7 +101,7 @@ inline nlohmann::json rows_by_table(const std::vector<Table>& tables) {
 
 /// The tables of the study's page.
 inline nlohmann::json tables_of(const Results& results, const SinceReference& since = {}) {
-  return rows_by_table(report_tables(analyse(view_of(results)), since, {}, false));
+  return rows_by_table(report_tables(analyse(Rows(results)), since, {}, false));
 }
 
 /// Gives every row a second one of the timing phase.

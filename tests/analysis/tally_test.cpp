@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/check.h"
@@ -87,34 +88,22 @@ TEST(Tally, MeasuredRowsAreDrawnRowsWithoutABound) {
 }
 
 /// Rows of one curve that are made when they are read.
-class MadeRows {
- public:
-  explicit MadeRows(std::size_t count) {
-    view_.identity = &identity_;
-    view_.environment = &environment_;
-    view_.count = count;
-    view_.read = [this](std::size_t row) -> const ar3d::RunRecord& {
-      run_ = good_run("diamond", "cubic", 64, static_cast<std::int64_t>(row));
-      run_.extents[0] = 100 + static_cast<std::int64_t>(row * 7919 % 100);
-      if (row == 12345) run_.extents[0] = 300;  // of 341: the closest to the bound of all
-      return run_;
-    };
-  }
-  const RowView& view() const { return view_; }
-
- private:
-  StudyIdentity identity_;
-  std::vector<EnvironmentEntry> environment_;
-  ar3d::RunRecord run_;
-  RowView view_;
-};
+Rows made_rows(std::size_t count) {
+  const auto run = std::make_shared<ar3d::RunRecord>();
+  return {{}, {}, count, [run](std::size_t row) -> const ar3d::RunRecord& {
+            *run = good_run("diamond", "cubic", 64, static_cast<std::int64_t>(row));
+            run->extents[0] = 100 + static_cast<std::int64_t>(row * 7919 % 100);
+            if (row == 12345) run->extents[0] = 300;  // of 341: the closest to the bound of all
+            return *run;
+          }};
+}
 
 TEST(Tally, KeepsASampleOfVeryManyGraphsAndCountsAll) {
   const std::size_t count = 30000;
-  const MadeRows rows(count);
-  const CheckVerdict verdict = ar3d::check(rows.view());
+  const Rows rows = made_rows(count);
+  const CheckVerdict verdict = ar3d::check(rows);
   EXPECT_EQ(verdict.exit_code(), 0);
-  const StudyTally tally = ar3d::tally_of(rows.view(), verdict.is_last_repetition);
+  const StudyTally tally = ar3d::tally_of(rows, verdict.is_last_repetition);
   EXPECT_EQ(tally.kept_graphs, 4096u);
   const SizeTally& size = tally.curves.at(0).sizes.at(64);
   EXPECT_EQ(size.drawn, count);
@@ -125,7 +114,7 @@ TEST(Tally, KeepsASampleOfVeryManyGraphsAndCountsAll) {
   double sum = 0;
   std::vector<double> extents, kept;
   for (std::size_t row = 0; row < count; ++row) {
-    extents.push_back(static_cast<double>(rows.view().read(row).extents[0]));
+    extents.push_back(static_cast<double>(rows.run(row).extents[0]));
     sum += std::log(extents.back());
   }
   for (const DrawnGraph& graph : size.graphs) {
@@ -139,8 +128,8 @@ TEST(Tally, KeepsASampleOfVeryManyGraphsAndCountsAll) {
 }
 
 TEST(Tally, SamplesHaveTheMeansOfAllInTheirFits) {
-  const MadeRows rows(10000);
-  const StudyTally tally = ar3d::tally_of(rows.view(), ar3d::check(rows.view()).is_last_repetition);
+  const Rows rows = made_rows(10000);
+  const StudyTally tally = ar3d::tally_of(rows, ar3d::check(rows).is_last_repetition);
   const std::vector<SizeSample> sizes = samples(tally.curves[0], Quantity::extent_x);
   ASSERT_EQ(sizes.size(), 1u);
   EXPECT_EQ(sizes[0].instances.size(), 4096u);
@@ -158,7 +147,7 @@ TEST(Check, RowsOfGraphFilesAreShownByReplay) {
   EXPECT_EQ(verdict.findings.at(0).command.substr(0, 20), "ar3d generate cubic ");
   EXPECT_EQ(verdict.findings.at(1).command, "ar3d replay RESULTS.h5 3");
   EXPECT_EQ(report_of(results).find("ar3d generate nets"), std::string::npos);
-  const std::string csv = bounds_csv(analyse(view_of(results)));
+  const std::string csv = bounds_csv(analyse(Rows(results)));
   EXPECT_NE(csv.find("ar3d replay RESULTS.h5 2"), std::string::npos);
   EXPECT_EQ(csv.find("ar3d generate nets"), std::string::npos);
 }

@@ -1,5 +1,5 @@
 // The recipes of examples/ci as far as a shell can run them.
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 
 namespace ar3d::testing {

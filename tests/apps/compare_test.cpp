@@ -3,7 +3,7 @@
 
 #include "apps/checkouts.h"
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 #include "support/results.h"
 

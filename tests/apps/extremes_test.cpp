@@ -8,7 +8,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/model/real_points.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 
 namespace ar3d::testing {
@@ -29,10 +29,10 @@ TEST(Extremes, TheStudyIsAllRightAndHasNoNaNWhereANumberIsDue) {
   expect_exit(0, run("{} study run extremes -q --threads 1 -o " + results));
   std::size_t tiny = 0;
   std::set<std::string> drew_nothing;
-  RunReader reader(results);
-  ASSERT_GT(reader.size(), 100u);
-  for (std::size_t i = 0; i < reader.size(); ++i) {
-    const RunRecord row = reader.read(i);
+  const Rows rows(results);
+  ASSERT_GT(rows.size(), 100u);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const RunRecord row = rows.run(i);
     SCOPED_TRACE(row.family + " n=" + std::to_string(row.n) + " " + row.algorithm);
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
     tiny += row.n <= 3;
@@ -133,10 +133,10 @@ TEST(Extremes, RealTypesOfGraphsOfNoAndFewVertices) {
                     "algorithms = { algorithm = \"two-bend-paper\", type = [0, 1, 2, 3, 4] }\n");
   const std::string results = scratch.path("few.h5");
   expect_exit(0, run("{} study run " + toml + " -q -o " + results));
-  RunReader reader(results);
-  ASSERT_GT(reader.size(), 50u);
-  for (std::size_t i = 0; i < reader.size(); ++i) {
-    const RunRecord row = reader.read(i);
+  const Rows rows(results);
+  ASSERT_GT(rows.size(), 50u);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const RunRecord row = rows.run(i);
     SCOPED_TRACE(row.family + " n=" + std::to_string(row.n) + " " + row.options);
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
     EXPECT_EQ(row.certificate, "measured");

@@ -1,7 +1,7 @@
 // `ar3d history` as its users run it.
 #include <fmt/format.h>
 
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 #include "support/tables.h"
 

@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 #include "support/results.h"
 

@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 #include "support/results.h"
 

@@ -4,7 +4,7 @@
 
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/store/journal/journal_writer.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 #include "support/results.h"
 

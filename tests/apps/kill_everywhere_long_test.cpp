@@ -6,7 +6,7 @@
 
 #include "apps/failing_rank.h"
 #include "ar3d/store/journal/journal_reader.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 #include "support/results.h"
 

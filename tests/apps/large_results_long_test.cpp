@@ -1,8 +1,7 @@
 // A million graphs, a million rows, and results larger than the memory.
 #include <cstdlib>
 
-#include "ar3d/store/hdf5/results_file.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/large_results.h"
 #include "support/program.h"
 #include "support/tables.h"
@@ -53,7 +52,7 @@ TEST(MillionGraphs, RunAndResumeInBoundedMemory) {
   EXPECT_THAT(cut.out, HasSubstr(" of 1000000 rows")) << cut.err;
   expect_output(run(bounded + "{} study resume -q --threads 2 " + results),
                 "PASS: 1000000 rows, 1000000 proved");
-  EXPECT_EQ(RunReader(results).size(), 1000000u);
+  EXPECT_EQ(Rows(results).size(), 1000000u);
 }
 
 // A study of a million rows from beginning to end, in little memory.
@@ -78,7 +77,7 @@ TEST(MillionRows, RunResumeStatusAndPandas) {
                 {"PASS: 1000000 rows, 1000000 proved", "report   "});
   EXPECT_LT(fs::file_size(scratch.path("m.html")), 1'000'000u);
   EXPECT_FALSE(fs::exists(results + ".journal"));
-  EXPECT_EQ(RunReader(results).size(), 1000000u);
+  EXPECT_EQ(Rows(results).size(), 1000000u);
   const Outcome pandas =
       run("/usr/bin/python3 -c 'import pandas; "
           "print(len(pandas.read_hdf(\"" +

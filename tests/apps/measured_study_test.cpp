@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 
 namespace ar3d::testing {

@@ -1,7 +1,7 @@
 // `ar3d report`: the reference that it compares with and the drawings that it stores.
 #include <set>
 
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 #include "support/tables.h"
 

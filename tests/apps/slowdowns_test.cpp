@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/synthetic.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 
 namespace ar3d::testing {

@@ -9,7 +9,7 @@
 #include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/journal/journal_writer.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/problem.h"
 #include "support/program.h"
 #include "support/results.h"
@@ -60,10 +60,10 @@ class JournaledStudyFiles : public ::testing::Test {
   }
   // Puts the rows [from, to) of the results file into a journal.
   void put_into_journal(const std::string& path, std::size_t from, std::size_t to) const {
-    RunReader reader(results());
-    JournalWriter journal(path, reader.identity());
-    journal.begin_session(reader.environment());
-    for (std::size_t i = from; i < to; ++i) journal.append_record(reader.record(i));
+    const Rows rows(results());
+    JournalWriter journal(path, rows.identity());
+    journal.begin_session(rows.environment());
+    for (std::size_t i = from; i < to; ++i) journal.append_record(record_of(rows.run(i)).data());
   }
   std::map<std::string, std::string> rows() const {
     std::map<std::string, std::string> rows;

@@ -65,15 +65,15 @@ TEST(Levels, TellTheSameBitForBit) {
   EXPECT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows["extents"], rows["full"]);
   EXPECT_EQ(rows["positions"], rows["full"]);
-  EXPECT_TRUE(check(view_of(one)).findings.empty());
+  EXPECT_TRUE(check(Rows(one)).findings.empty());
 }
 
 TEST(Levels, CheckFindsLevelsThatDisagree) {
   Results results = run_study(cycle_with("level = [\"extents\", \"full\"]\n"));
   ASSERT_EQ(results.runs.size(), 2u);
-  EXPECT_TRUE(check(view_of(results)).findings.empty());
+  EXPECT_TRUE(check(Rows(results)).findings.empty());
   results.runs[1].bends[0] += 1;
-  const auto findings = check(view_of(results)).findings;
+  const auto findings = check(Rows(results)).findings;
   ASSERT_FALSE(findings.empty());
   EXPECT_EQ(findings[0].kind, FindingKind::not_repeatable);
 }

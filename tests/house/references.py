@@ -26,7 +26,7 @@ PLACEHOLDER = re.compile(r".*[A-Z]{3}.*\.(csv|h5)")
 CALL = re.compile(r"(?:^ *|[|;&$] *|[A-Z_]+=\S+ +|mpirun -n \S+ +)(?:\./)?ar3d +((?:[^|;&>#\n]|\\\|)+)", re.M)
 OPTION_IN_PROSE = re.compile(r"(?:^|[\s(\"])(--[a-z][a-z_-]*[a-z])")
 OUTSIDE = re.compile(r"OMP_NUM_THREADS|FIELD_i_NAME|member_|kConstant|perf_event_open|hdf5\.h|--sshlogin|--return|--array|--mem|--time|fuzz_.*|"
-                     r"ar3d_.*_tests|--(gtest|benchmark)_.*|.*_(bound|slack)_[xyz]|slack_[xyz]|std::.*")
+                     r"ar3d_.*_tests|--(gtest|benchmark)_.*|.*_(bound|slack)_[xyz]|slack_[xyz]|(theorem|published)_[a-z_]+|std::.*")
 # What a span in backticks is.
 FILE = re.compile(r"[\w.-]+(/[\w.-]+)*\.(h|cpp|md|cmake|svg)|(\w+/)+")
 TEST = re.compile(r"[A-Z][A-Za-z0-9]*\.(\*|[A-Z]\w*|test_\w+)")

@@ -7,7 +7,7 @@
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/journal/journal_writer.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "store/forged.h"
 #include "store/sample_runs.h"
 #include "support/program.h"

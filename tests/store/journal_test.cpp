@@ -14,8 +14,7 @@
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/journal/journal_writer.h"
-#include "ar3d/store/row_collection.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "store/sample_runs.h"
 #include "support/parts.h"
 #include "support/problem.h"
@@ -220,14 +219,13 @@ TEST_F(Journal, OfAnOlderVersionIsRefusedInOneLine) {
                          " is not a journal of this version of ar3d: finish it with the program "
                          "that began it");
   }
-  RowCollection rows;
-  EXPECT_EQ(problem([&] { rows.add(path_); }), read_error());
+  EXPECT_EQ(problem([&] { Rows(std::vector<std::string>{path_}); }), read_error());
   EXPECT_EQ(read_file(path_), old);
 }
 
 // Doubles as they are in memory, the largest and smallest integers, quotes and backslashes.
 TEST_F(Journal, EveryValueReadsBackBitForBit) {
-  const std::vector<Field>& fields = runs_spec().fields;
+  const std::vector<Column>& columns = runs_spec().columns;
   constexpr std::uint64_t kBits[] = {0x0000000000000001, 0x8000000000000000, 0x7fefffffffffffff,
                                      0x3fb999999999999a, 0x7ff0000000000000, 0xfff0000000000000,
                                      0xfff8000000000000, 0x7ff0000000000001, 0x4340000000000001};
@@ -240,12 +238,13 @@ TEST_F(Journal, EveryValueReadsBackBitForBit) {
     for (std::size_t i = 0; i < std::size(kBits); ++i) {
       std::string record(run_record_size(), '\0');
       store_record(sample_run(static_cast<std::int64_t>(i)), record.data());
-      for (const Field& field : fields) {
+      for (const Column& column : columns) {
         const std::uint64_t bits =
-            field.type == FieldType::float64 ? kBits[i] : kIntegers[i % std::size(kIntegers)];
-        if (field.type != FieldType::text) std::memcpy(&record[field.offset], &bits, sizeof(bits));
-        if (field.name == "message")
-          std::memcpy(&record[field.offset], "a \"b\\c\" {\"rows\":1", 17);
+            column.type == ColumnType::float64 ? kBits[i] : kIntegers[i % std::size(kIntegers)];
+        if (column.type != ColumnType::text)
+          std::memcpy(&record[column.offset], &bits, sizeof(bits));
+        if (column.name == "message")
+          std::memcpy(&record[column.offset], "a \"b\\c\" {\"rows\":1", 17);
       }
       records.push_back(record);
       writer.append_record(record.data());
@@ -276,7 +275,7 @@ TEST_F(Journal, RowsThatAreForgedAreRefused) {
   write_rows(0, 1);
   const auto error_of = [&](const std::string& row) {
     std::string record(run_record_size(), '\0');
-    return problem([&] { parse_record(runs_spec().fields, row, "f", record.data()); }, "no error");
+    return problem([&] { parse_record(runs_spec().columns, row, "f", record.data()); }, "no error");
   };
   EXPECT_EQ(error_of(R"({"row_key":"1","n":5,"cpu_s":3})"), "no error");
   EXPECT_EQ(error_of(R"({"n":5.5})"), "f: a record is none of its table from '.5}' on");

@@ -13,7 +13,7 @@
 #include "ar3d/store/hdf5/file_checksum.h"
 #include "ar3d/store/hdf5/reader_process.h"
 #include "ar3d/store/journal/journal_format.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "store/forged.h"
 #include "store/sample_runs.h"
 #include "support/parts.h"

@@ -1,11 +1,14 @@
 // The columns of /runs and the page that lists them.
 #include "ar3d/store/columns/run_columns.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <utility>
 
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/columns/side_tables.h"
 #include "store/sample_runs.h"
 #include "support/problem.h"
 
@@ -17,25 +20,46 @@ TEST(Columns, NamesAreUniqueAndDescribed) {
   for (const Column& column : run_columns()) {
     EXPECT_TRUE(names.insert(column.name).second) << column.name;
     EXPECT_FALSE(column.meaning.empty()) << column.name;
-    EXPECT_EQ(column.unit.empty(), column.type == FieldType::text || column.name == "seed")
+    EXPECT_EQ(column.unit.empty(), column.type == ColumnType::text || column.name == "seed")
         << column.name;
   }
   EXPECT_TRUE(names.contains("extent_z"));
 }
 
-// The schema page lists every column with its meaning, in the order of the record; of the metrics
-// it names the table.
-TEST(Columns, SchemaPageListsThemInOrder) {
+// A table as the schema page shows it; of metrics it names their table.
+std::string shown(const TableSpec& table) {
+  std::string page = "| column | type | unit | meaning |\n|---|---|---|---|\n";
+  bool has_metrics = false;
+  for (const Column& column : table.columns) {
+    if (column.kind == ColumnKind::metric) {
+      if (!std::exchange(has_metrics, true)) {
+        page +=
+            "| the metrics: extents, volume, bends, lengths, … | int64 or float64 | | `ar3d list "
+            "metrics` prints name, type, unit and definition of each, in this order: the table of "
+            "`verify/metrics/metrics.h` |\n";
+      }
+      continue;
+    }
+    constexpr const char* kTypes[] = {"text", "int64", "uint64", "float64"};
+    std::string type = kTypes[static_cast<std::size_t>(column.type)];
+    const bool is_text = column.type == ColumnType::text;
+    if (is_text && column.size > 1) type += fmt::format(", {} bytes", column.size);
+    page += fmt::format("| `{}`{} | {} | {} | {} |\n", column.name,
+                        column.kind == ColumnKind::instance ? " *" : "", type,
+                        column.unit == "1" ? "" : column.unit, column.meaning);
+  }
+  return page;
+}
+
+TEST(Columns, SchemaPageIsMadeOfThem) {
   std::ifstream in(AR3D_SOURCE_DIR "/results/SCHEMA.md");
   const std::string page(std::istreambuf_iterator<char>(in), {});
-  std::size_t at = page.find("## Columns of `/runs`");
-  ASSERT_NE(at, std::string::npos);
-  for (const Column& column : run_columns()) {
-    if (column.kind == ColumnKind::metric) continue;
-    const bool instance = column.kind == ColumnKind::instance;
-    at = page.find("| `" + column.name + (instance ? "` * | " : "` | "), at);
-    ASSERT_NE(at, std::string::npos) << column.name;
-    EXPECT_NE(page.find(column.meaning, at), std::string::npos) << column.name;
+  std::vector<TableSpec> tables = side_table_specs();
+  tables.push_back(runs_spec());
+  tables.push_back(environments_spec(0, 0));
+  for (const TableSpec& table : tables) {
+    const std::size_t at = page.find("## Columns of `/" + table.name + "`\n\n" + shown(table));
+    EXPECT_NE(at, std::string::npos) << table.name << " stands there as\n\n" << shown(table);
   }
 }
 

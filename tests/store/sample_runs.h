@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/test.h"
 
 namespace ar3d::testing {

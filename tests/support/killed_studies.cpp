@@ -11,7 +11,7 @@
 #include "ar3d/base/random.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/journal/journal_reader.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/rows.h"
 #include "support/program.h"
 #include "support/results.h"
 

@@ -8,7 +8,8 @@
 
 #include "ar3d/store/columns/row_key.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/run_storage.h"
+#include "ar3d/store/hdf5/results_file.h"
+#include "ar3d/store/rows.h"
 
 namespace ar3d::testing {
 namespace {

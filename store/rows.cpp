@@ -1,6 +1,6 @@
-// The rows of one study from any number of files. Sessions and rows are sorted by what they say, so
-// that the order of the files does not matter.
-#include "ar3d/store/row_collection.h"
+// The rows of one study from wherever they are. Of several files sessions and rows are sorted by
+// what they say, so that the order of the files does not matter.
+#include "ar3d/store/rows.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,6 @@
 #include <fstream>
 #include <variant>
 
-#include "ar3d/base/error.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_reader.h"
@@ -35,8 +34,10 @@ RowFile opened(const std::string& path) {
 }  // namespace
 
 // A file with rows.
-struct RowCollection::Source {
+struct Rows::Source {
   explicit Source(const std::string& path_of_file) : path(path_of_file), file(opened(path)) {}
+  explicit Source(RunReader reader, const std::string& path_of_file)
+      : path(path_of_file), file(std::move(reader)) {}
 
   // Returns what `use` makes of the reader.
   template <class Use>
@@ -46,19 +47,46 @@ struct RowCollection::Source {
 
   std::string path;
   mutable RowFile file;
-  std::vector<Session> sessions = std::visit([](auto& rows) { return rows.sessions(); }, file);
-  std::vector<std::int64_t> session_numbers = {};  // in the collection, by number in the file
+  std::vector<Session> sessions = {};
+  std::vector<std::int64_t> session_numbers = {};  // among all, by number in the file
 };
 
-bool RowCollection::FiledRow::operator<(const FiledRow& other) const {
-  return std::pair(source, row) < std::pair(other.source, other.row);
+Rows::~Rows() = default;
+Rows::Rows(Rows&&) noexcept = default;
+Rows& Rows::operator=(Rows&&) noexcept = default;
+
+Rows::Rows(const Results& results)
+    : Rows(results, results.environment, results.runs.size(),
+           [&results](std::size_t row) -> const RunRecord& { return results.runs[row]; }) {}
+
+Rows::Rows(StudyIdentity identity, std::vector<EnvironmentEntry> environment, std::size_t count,
+           InHand in_hand)
+    : identity_(std::move(identity)),
+      environment_(std::move(environment)),
+      size_(count),
+      in_hand_(std::move(in_hand)) {}
+
+Rows::Rows(const std::string& results) : file(results) {
+  RunReader reader(results);
+  identity_ = reader.identity();
+  environment_ = reader.environment();
+  size_ = reader.size();
+  algorithms_ = side_records<AlgorithmRecord>(identity_);
+  sources_.emplace_back(std::move(reader), results);
 }
 
-RowCollection::RowCollection() = default;
-RowCollection::~RowCollection() = default;
-RowCollection::RowCollection(RowCollection&&) noexcept = default;
+Rows::Rows(const std::vector<std::string>& files) {
+  for (const std::string& path : files) add(path);
+  std::sort(shards_.begin(), shards_.end(), [](const Shard& a, const Shard& b) {
+    return std::pair(a.count, a.index) < std::pair(b.count, b.index);
+  });
+  shards_.erase(std::unique(shards_.begin(), shards_.end()), shards_.end());
+  number_sessions();
+  index_rows();
+  algorithms_ = side_records<AlgorithmRecord>(identity_);
+}
 
-void RowCollection::add(const std::string& path) {
+void Rows::add(const std::string& path) {
   Source source(path);
   const auto other = source.with([](auto& reader) { return reader.identity(); });
   if (sources_.empty()) identity_ = other;
@@ -72,21 +100,13 @@ void RowCollection::add(const std::string& path) {
   compare("program's source", identity_.source(), other.source());
   identity_.created = std::min(identity_.created, other.created);
   shards_.push_back(other.shard);
+  source.sessions = source.with([](auto& reader) { return reader.sessions(); });
   sources_.push_back(std::move(source));
-}
-
-void RowCollection::close() {
-  std::sort(shards_.begin(), shards_.end(), [](const Shard& a, const Shard& b) {
-    return std::pair(a.count, a.index) < std::pair(b.count, b.index);
-  });
-  shards_.erase(std::unique(shards_.begin(), shards_.end()), shards_.end());
-  number_sessions();
-  index_rows();
 }
 
 // Sessions are ordered by their text, which begins with the time. One that another one goes on from
 // is the same, seen before its end was there: the longer one stands for both.
-void RowCollection::number_sessions() {
+void Rows::number_sessions() {
   const auto text_of = [](const Session& session) {
     std::string text = session_text(session);
     text.pop_back();  // the end of the list
@@ -118,29 +138,29 @@ void RowCollection::number_sessions() {
   }
 }
 
-void RowCollection::index_rows() {
-  std::size_t count = 0;
+void Rows::index_rows() {
   for (const Source& source : sources_) {
-    count += source.with([](auto& reader) { return reader.size(); });
+    size_ += source.with([](auto& reader) { return reader.size(); });
   }
-  rows_.reserve(count);
+  index_.reserve(size_);
   for (std::uint32_t i = 0; i < sources_.size(); ++i) {
     sources_[i].with([&](auto& reader) {
       for (std::uint32_t row = 0; row < reader.size(); ++row) {
-        rows_.push_back({reader.key(row), i, row});
+        index_.push_back({reader.key(row), i, row});
       }
+      if constexpr (requires { reader.drop_keys(); }) reader.drop_keys();
     });
   }
-  std::stable_sort(rows_.begin(), rows_.end(),
+  std::stable_sort(index_.begin(), index_.end(),
                    [](const FiledRow& a, const FiledRow& b) { return a.key < b.key; });
   std::vector<std::pair<FiledRow, FiledRow>> equal_keys;  // the row that is kept, one that is not
   const auto same = [&equal_keys](const FiledRow& a, const FiledRow& b) {
     if (a.key == b.key) equal_keys.emplace_back(a, b);
     return a.key == b.key;
   };
-  rows_.erase(std::unique(rows_.begin(), rows_.end(), same), rows_.end());
-  std::sort(equal_keys.begin(), equal_keys.end(),
-            [](const auto& a, const auto& b) { return a.second < b.second; });
+  index_.erase(std::unique(index_.begin(), index_.end(), same), index_.end());
+  size_ = index_.size();
+  std::ranges::sort(equal_keys, {}, [](const auto& rows) { return rows.second.in_files(); });
   for (const auto& [kept, other] : equal_keys) {
     if (kept.source == other.source) {
       throw InputError(fmt::format("{}: rows {} and {} have one key, {}",
@@ -151,24 +171,28 @@ void RowCollection::index_rows() {
   }
 }
 
-void RowCollection::require_equal(const FiledRow& a, const FiledRow& b) const {
+void Rows::require_equal(const FiledRow& a, const FiledRow& b) const {
   std::vector<char> left(run_record_size()), right(run_record_size());
   read(a, left.data());
   read(b, right.data());
   for (const Column& column : run_columns()) {
-    if (std::memcmp(left.data() + column.offset, right.data() + column.offset, column.size) == 0) {
-      continue;
-    }
+    if (std::memcmp(&left[column.offset], &right[column.offset], column.size) == 0) continue;
     throw InputError(fmt::format("row {} is in {} and in {} and differs in its {}",
                                  to_string(a.key), sources_[a.source].path, sources_[b.source].path,
                                  column.name));
   }
 }
 
-void RowCollection::read(const FiledRow& row, char* record) const {
+Rows::FiledRow Rows::filed(std::size_t row) const {
+  expect(row < size_, "there is that row");
+  return index_.empty() ? FiledRow{{}, 0, static_cast<std::uint32_t>(row)} : index_[row];
+}
+
+void Rows::read(const FiledRow& row, char* record) const {
   static const Column& session = run_column("session");
   const Source& source = sources_[row.source];
   source.with([&](auto& reader) { reader.read(row.row, record); });
+  if (index_.empty()) return;  // the numbers are those of the one file
   std::int64_t number = -1;
   std::memcpy(&number, record + session.offset, sizeof(number));
   const auto place = static_cast<std::size_t>(number);
@@ -179,25 +203,72 @@ void RowCollection::read(const FiledRow& row, char* record) const {
   std::memcpy(record + session.offset, &number, sizeof(number));
 }
 
-const std::string& RowCollection::path(std::size_t place) const {
-  return sources_[rows_[place].source].path;
+void Rows::read(std::size_t row, char* record) const {
+  if (in_hand_) return store_record(in_hand_(row), record);
+  read(filed(row), record);
 }
 
-std::optional<std::size_t> RowCollection::find(const RowKey& key) const {
-  const auto at = std::lower_bound(rows_.begin(), rows_.end(), key,
-                                   [](const FiledRow& a, const RowKey& b) { return a.key < b; });
-  if (at == rows_.end() || at->key != key) return std::nullopt;
-  return static_cast<std::size_t>(at - rows_.begin());
+const RunRecord& Rows::run(std::size_t row) const {
+  if (in_hand_) return in_hand_(row);
+  const FiledRow from = filed(row);
+  record_.resize(run_record_size());
+  read(from, record_.data());
+  try {
+    run_ = load_record(record_.data());
+    if (!run_.row_key.empty()) parse_row_key(run_.row_key);
+    set_bounds(find_algorithm_record(algorithms_, run_.algorithm, run_.options), run_);
+    return run_;
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("{}: row {}: {}", sources_[from.source].path, from.row, error.what()));
+  }
 }
 
-void RowCollection::visit(const std::function<void(const char* record)>& visitor) const {
-  std::vector<FiledRow> order = rows_;
-  std::sort(order.begin(), order.end());
+const std::string& Rows::path(std::size_t row) const { return sources_[filed(row).source].path; }
+
+std::optional<std::size_t> Rows::find(const RowKey& key) const {
+  const auto at = std::ranges::lower_bound(index_, key, {}, &FiledRow::key);
+  if (at == index_.end() || at->key != key) return std::nullopt;
+  return static_cast<std::size_t>(at - index_.begin());
+}
+
+void Rows::arrange(const std::vector<std::uint32_t>& rows) {
+  std::vector<FiledRow> arranged;
+  arranged.reserve(rows.size());
+  for (const std::uint32_t row : rows) arranged.push_back(index_[row]);
+  index_ = std::move(arranged);
+  size_ = index_.size();
+}
+
+void Rows::visit(const std::function<void(const char* record)>& visitor) const {
+  std::vector<FiledRow> order = index_;
+  std::ranges::sort(order, {}, &FiledRow::in_files);
   std::vector<char> record(run_record_size());
   for (const FiledRow& row : order) {
     read(row, record.data());
     visitor(record.data());
   }
+}
+
+void write_results(const Rows& rows, const std::string& path) {
+  write_results(
+      rows.identity(), rows.environment(), rows.size(),
+      [&rows](std::size_t row, char* record) { rows.read(row, record); }, path);
+}
+
+void write_results(const Results& results, const std::string& path) {
+  write_results(Rows(results), path);
+}
+
+Results read_results(const std::string& path) { return in_memory(Rows(path)); }
+
+Results in_memory(const Rows& rows) {
+  Results results;
+  static_cast<StudyIdentity&>(results) = rows.identity();
+  results.environment = rows.environment();
+  results.runs.reserve(rows.size());
+  for (std::size_t row = 0; row < rows.size(); ++row) results.runs.push_back(rows.run(row));
+  return results;
 }
 
 }  // namespace ar3d

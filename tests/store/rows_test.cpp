@@ -1,8 +1,7 @@
-#include "ar3d/store/row_collection.h"
+#include "ar3d/store/rows.h"
 
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/run_storage.h"
 #include "store/sample_runs.h"
 #include "support/problem.h"
 #include "support/program.h"
@@ -21,20 +20,19 @@ Results rows_from(std::int64_t first, std::int64_t count) {
   return results;
 }
 
-RowCollection collected(const std::vector<Results>& files) {
+Rows collected(const std::vector<Results>& files) {
   const ScratchDirectory scratch;
-  RowCollection rows;
+  std::vector<std::string> paths;
   for (const Results& results : files) {
     const std::string path = scratch.path(std::to_string(scratch.entries()));
     write_results(results, path);
-    rows.add(path);
+    paths.push_back(path);
   }
-  rows.close();
-  return rows;
+  return Rows(paths);
 }
 
-TEST(RowCollection, IsVisitedInTheOrderOfItsFiles) {
-  const RowCollection rows = collected({rows_from(0, 1500), rows_from(1000, 1500)});  // 500 in both
+TEST(Rows, IsVisitedInTheOrderOfItsFiles) {
+  const Rows rows = collected({rows_from(0, 1500), rows_from(1000, 1500)});  // 500 in both
   std::vector<std::string> keys, expected;
   rows.visit([&keys](const char* record) { keys.push_back(load_record(record).row_key); });
   for (const RunRecord& run : rows_from(0, 2500).runs) expected.push_back(run.row_key);
@@ -44,7 +42,7 @@ TEST(RowCollection, IsVisitedInTheOrderOfItsFiles) {
   }
 }
 
-TEST(RowCollection, RefusesARowThatIsThereTwiceAndNotTheSame) {
+TEST(Rows, RefusesARowThatIsThereTwiceAndNotTheSame) {
   Results other = rows_from(0, 1500);
   other.runs[1234].violations = 1;
   EXPECT_THAT(problem([&] {
