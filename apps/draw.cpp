@@ -87,6 +87,7 @@ const Drawer& drawer_of(const Graph& graph, std::vector<Drawer>& drawers,
 std::optional<GraphToDraw> next_graph(GraphInputs& inputs, DrawJob& job) {
   std::optional<Graph> graph = inputs.next();
   if (!graph) return std::nullopt;
+  tell_notes(inputs.reader().take_notes());
   const std::string where = inputs.reader().where();
   const Drawer& drawer = drawer_of(*graph, job.drawers, where);
   GraphToDraw task{std::move(*graph), drawer, where, {}};

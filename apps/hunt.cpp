@@ -238,6 +238,7 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
     const auto graphs =
         named_corpus(files.size() == 1 ? files[0].path : fmt::format("{} files", files.size()),
                      std::make_shared<const Corpus>(files, options));
+    tell_notes(graphs->graphs->notes());
     return {{&graphs->family, {}, graphs}};
   }
   if (arguments.family == "all") return fitting_families(algorithm, arguments.hunting.n);
@@ -280,9 +281,11 @@ int hunt_and_show(HuntArguments arguments) {
 
 int shrink_and_show(HuntArguments arguments) {
   refuse_unsafe_exhibit(arguments);
-  const Graph graph = arguments.row.empty()
-                          ? read_graph(arguments.inputs[0], arguments.reading.read_options())
-                          : graph_of_row(arguments);
+  std::vector<std::string> notes;
+  const Graph graph = arguments.row.empty() ? read_graph(arguments.inputs[0],
+                                                         arguments.reading.read_options(), &notes)
+                                            : graph_of_row(arguments);
+  tell_notes(notes);
   const Subject subject = subject_of(arguments);
   const ExternalDrawer programs;
   const Trial whole = try_graph(subject, graph);

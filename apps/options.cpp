@@ -88,9 +88,14 @@ ReadOptions GraphInput::read_options() const {
   return chosen;
 }
 
+void tell_notes(const std::vector<std::string>& notes) {
+  for (const std::string& text : notes) note(stderr, "ar3d: note: {}\n", printable(text));
+}
+
 void add_edge_list_options(CLI::App& verb, GraphInput& input) {
-  verb.add_option("--base", input.options.base,
-                  "smallest vertex id of edge and adjacency lists: 0 or 1")
+  verb.add_option(
+          "--base", input.options.base,
+          "smallest vertex id of edge and adjacency lists: 0 or 1; as the list tells if left out")
       ->check(whole_number(0, 1));
   verb.add_option("--first-line", input.first_line,
                   "what a first line 'a b' of an edge list is where that is open: edge, or header "

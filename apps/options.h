@@ -70,6 +70,9 @@ struct GraphInput {
   ReadOptions read_options() const;
 };
 
+/// Says on standard error what a reader has assumed, a line each.
+void tell_notes(const std::vector<std::string>& notes);
+
 /// Adds the options --base, --first-line and --undirected.
 void add_edge_list_options(CLI::App& verb, GraphInput& input);
 

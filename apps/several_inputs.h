@@ -26,7 +26,7 @@ class SeveralInputs {
     }
   }
   /// Returns the reader of the item just given.
-  const Reader& reader() const { return *reader_; }
+  Reader& reader() { return *reader_; }
 
  private:
   std::vector<std::string> paths_;

@@ -140,6 +140,15 @@ void tell_failure(std::optional<int> rank, const std::string& what,
       shell_word(*to_be_resumed));
 }
 
+// What was assumed of files that leave a choice.
+void tell_reading(const Study& study) {
+  std::set<const Corpus*> told;
+  for (const StudyCorpus& corpus : corpora_of(study)) {
+    const Corpus& graphs = *corpus.corpus->graphs;
+    if (told.insert(&graphs).second) tell_notes(graphs.notes());
+  }
+}
+
 // Begins and makes a study on all ranks; the first one speaks for all, but where one fails on its
 // own, which ends them all.
 int make_study(const RunArguments& arguments, const std::function<JournaledStudy()>& begin) {
@@ -164,6 +173,7 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
   try {
     const JournaledStudy study = begin_together(*ranks, begin_possible);
     results = study.results;
+    if (ranks->is_first()) tell_reading(study);
     return run_to_the_end(study, arguments, policy, *ranks);
   } catch (const FailedTogether& error) {
     // Said before the ranks part: mpirun ends all of them as soon as one has left with an error.

@@ -150,7 +150,10 @@ std::optional<LineToJudge> next_task(const VerifyArguments& arguments,
                                      SeveralInputs<GraphReader>* graphs, std::uint64_t number) {
   std::optional<DrawingJsonlReader::Line> line = drawings.next();
   std::optional<Graph> graph;
-  if (graphs != nullptr) graph = graphs->next();
+  if (graphs != nullptr) {
+    graph = graphs->next();
+    tell_notes(graphs->reader().take_notes());
+  }
   if (graphs != nullptr && line.has_value() != graph.has_value()) {
     const std::string graph_files = fmt::format("{}", fmt::join(arguments.graphs, " "));
     const std::string files = fmt::format("{}", fmt::join(arguments.inputs, " "));

@@ -2,6 +2,8 @@
 // too often.
 #include "ar3d/formats/catalog.h"
 
+#include "ar3d/formats/text/tokens.h"
+
 namespace ar3d {
 
 // The rows of the catalogue, each defined in graphs/, in the file of its format.
@@ -21,41 +23,42 @@ namespace {
 
 constexpr std::size_t kDetectionBytes = std::size_t{1} << 16;
 
-/// @throws InputError where the text is of a format that others read, with what converts it.
-void refuse_foreign_format(TextInput& input) {
-  const bool is_xml = input.look_ahead_line().starts_with("<");
-  const std::string_view text = is_xml ? input.look_ahead(1024) : input.look_ahead_line();
-  const auto refuse = [&](const char* name, const char* reader) {
-    throw InputError(
-        fmt::format("{}:1: this is {}, which is not read; examples/convert.py makes GraphML of it: "
-                    "networkx.write_graphml(networkx.Graph(networkx.{}(FILE)), OUTPUT)",
-                    input.name(), name, reader));
-  };
-  if (text.find("<gexf") != std::string_view::npos) refuse("GEXF", "read_gexf");
-  if (text.starts_with("*Vertices") || text.starts_with("*vertices") ||
-      text.starts_with("*Network") || text.starts_with("*network")) {
-    refuse("Pajek", "read_pajek");
+/// From the first line on that is neither blank nor a comment.
+std::string_view body_of(std::string_view text) {
+  for (;;) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (!is_blank(line) && !is_comment(line)) return text;
+    if (line.size() == text.size()) return {};
+    text.remove_prefix(line.size() + 1);
   }
 }
 
-/// The format of the text to come. Looks beyond the first line only where numbers leave several
-/// choices, so that a pipe's first graph can be read before its second is written.
-const GraphFormat& detect_format(TextInput& input) {
+/// The format of the text to come. Looks beyond the first line unless that is one word, so that a
+/// pipe's first graph can be read before its second is written.
+const GraphFormat& detect_format(TextInput& input, const ReadOptions& options) {
   std::string_view text = input.look_ahead_line();
   if (text.empty()) throw InputError(fmt::format("{}: empty file: no graph in it", input.name()));
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos ||
-      std::string_view("#%0123456789").find(text[first]) != std::string_view::npos ||
-      text.substr(first).starts_with("graph")) {
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  if (is_comment(text) || is_blank(line) || line.find_first_of("0123456789 \t,;") != line.npos ||
+      line.starts_with("graph") || line == "c") {
     text = input.look_ahead(kDetectionBytes);
   }
-  const InputHead head{text, input.sees_end(), is_named_edge_list(input.name())};
-  for (const GraphFormat& format : graph_formats()) {
-    if (format.detect(head)) return format;
+  const bool is_list = options.base || options.first_line != FirstLine::automatic;
+  const InputHead head{text, input.sees_end(), told_format(input.name()), is_list, body_of(text)};
+  try {
+    for (const GraphFormat& format : graph_formats()) {
+      if (format.detect(head)) return format;
+    }
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}:1: {}", input.name(), error.what()));
   }
-  const std::string_view line = text.substr(0, text.find('\n'));
+  const std::string_view first = head.body.empty() ? text : head.body;
+  const std::string_view before = text.substr(0, text.size() - first.size());
   throw InputError(
-      fmt::format("{}:1: this is no graph format known here: {}", input.name(), shown(line)));
+      fmt::format("{}:{}: this is no graph format known here: {}; --from says which one "
+                  "is meant",
+                  input.name(), std::ranges::count(before, '\n') + 1,
+                  shown(first.substr(0, first.find_first_of("\r\n")))));
 }
 
 }  // namespace
@@ -81,10 +84,16 @@ const GraphFormat& find_graph_format(std::string_view name) {
   return format_called(name, graph_formats(), "graph");
 }
 
-bool is_named_edge_list(const std::string& name) {
-  const GraphFormat* const named = graph_format_of_path(name);
-  const bool is_text = name.find(".txt") != std::string::npos;
-  return named != nullptr && named->name == "edgelist" && !is_text;
+std::string_view told_format(std::string_view name) {
+  for (const std::string_view packed : {".gz", ".xz"}) {
+    if (name.ends_with(packed)) name.remove_suffix(packed.size());
+  }
+  for (const std::string_view table : {".csv", ".tsv", ".ncol"}) {
+    if (name.ends_with(table)) return "edgelist";
+  }
+  const GraphFormat* const format = graph_format_of_path(name);
+  if (format == nullptr || name.ends_with(".txt") || name.ends_with(".xml")) return {};
+  return format->name;
 }
 
 const GraphFormat* graph_format_of_path(std::string_view path) {
@@ -117,15 +126,17 @@ GraphReader::GraphReader(const std::string& path, const ReadOptions& options)
 
 GraphReader::GraphReader(TextInput input, const ReadOptions& options)
     : input_(std::make_unique<TextInput>(std::move(input))) {
-  if (options.base > 1) {
-    throw InputError(fmt::format("vertex ids start at 0 or 1, not at {}", options.base));
+  if (options.base.value_or(0) > 1) {
+    throw InputError(fmt::format("vertex ids start at 0 or 1, not at {}", *options.base));
   }
   if (input_->look_ahead_line().starts_with("{\"n\":")) {  // graph6 has no '"'
     throw InputError(fmt::format("{}:1: these are drawings, no graphs; `ar3d verify` judges them",
                                  input_->name()));
   }
-  refuse_foreign_format(*input_);
-  format_ = options.format.empty() ? &detect_format(*input_) : &find_graph_format(options.format);
+  const GraphFormat* const forced =
+      options.format.empty() ? nullptr : &find_graph_format(options.format);
+  refuse_foreign(*input_, forced != nullptr);
+  format_ = forced != nullptr ? forced : &detect_format(*input_, options);
   if (input_->look_ahead_line().empty()) {
     throw InputError(fmt::format("{}: empty file: no graph in it", input_->name()));
   }
@@ -162,13 +173,15 @@ void refuse_graph(TextInput& input) {
                                input.name(), format));
 }
 
-Graph read_graph(const std::string& path, const ReadOptions& options) {
+Graph read_graph(const std::string& path, const ReadOptions& options,
+                 std::vector<std::string>* notes) {
   GraphReader reader(path, options);
   std::optional<Graph> graph = reader.next();
   if (!graph) throw InputError(fmt::format("{}: no graph", path));
   if (reader.next()) {
     throw InputError(fmt::format("{}: a second graph; one is wanted", reader.where()));
   }
+  if (notes != nullptr) *notes = reader.take_notes();
   return std::move(*graph);
 }
 

@@ -81,6 +81,9 @@ class GraphReader {
   /// The vertices' names in the graph just given; empty if the file has none but numbers.
   std::vector<std::string> names() const { return parser_->names(); }
 
+  /// What has been assumed since the last call, a line each (GraphParser::take_notes).
+  std::vector<std::string> take_notes() { return parser_->take_notes(); }
+
   const GraphFormat& format() const { return *format_; }
   /// "FILE:LINE" of the last line read, for messages about the graph just given.
   std::string where() const;
@@ -97,7 +100,9 @@ void refuse_graph(TextInput& input);
 
 /// The only graph of a file. @throws InputError as GraphReader, and if there is none or
 /// a second one.
-Graph read_graph(const std::string& path, const ReadOptions& options = {});
+/// @param notes  takes what has been assumed, a line each.
+Graph read_graph(const std::string& path, const ReadOptions& options = {},
+                 std::vector<std::string>* notes = nullptr);
 
 /// Writes graphs to a file ("-": standard output) that appears only when it is complete.
 /// @throws InputError if it cannot be written.

@@ -107,6 +107,7 @@ class Corpus::Scan {
     std::optional<GraphReader> reader;
     while (const std::optional<Graph> graph = next_graph(file, reader, problem)) take(*graph, hash);
     read.graphs = static_cast<std::int64_t>(corpus_.graphs_in_file_) - first;
+    if (reader) std::ranges::move(reader->take_notes(), std::back_inserter(corpus_.notes_));
     if (!problem.empty()) {
       if (read.graphs > 0) problem += fmt::format(" (the {} graphs before are taken)", read.graphs);
       const std::size_t path = file.file.empty() ? std::string::npos : problem.find(file.path);
@@ -323,10 +324,11 @@ std::shared_ptr<const Corpus> shelved_corpus(CorpusShelf& shelf,
                                              const std::vector<CorpusFile>& files,
                                              const CorpusOptions& options) {
   const ReadOptions& reading = options.reading;
-  std::string key = fmt::format("{};{};{};{};{};{};{};{};{};{}", reading.format, reading.base,
-                                static_cast<int>(reading.first_line), reading.simplify,
-                                reading.undirected, options.largest_component, options.sample,
-                                options.sample_seed, options.skip, options.looks_again);
+  std::string key =
+      fmt::format("{};{};{};{};{};{};{};{};{};{}", reading.format, reading.base.value_or(2),
+                  static_cast<int>(reading.first_line), reading.simplify, reading.undirected,
+                  options.largest_component, options.sample, options.sample_seed, options.skip,
+                  options.looks_again);
   for (const CorpusFile& file : files) {
     for (const std::string* part : {&file.path, &file.name, &file.group})
       key.append(1, '\n').append(*part);

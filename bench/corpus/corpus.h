@@ -89,6 +89,9 @@ class Corpus {
   /// Returns files left out because of CorpusOptions::skip; their collection has no name yet.
   const std::vector<SkippedFile>& skipped() const { return skipped_; }
 
+  /// Returns what was assumed where a file left a choice, a line each (GraphReader::take_notes).
+  const std::vector<std::string>& notes() const { return notes_; }
+
   const CorpusGrowth& growth() const { return growth_; }
   /// Returns the files with graphs, by place; their family has no name yet.
   const std::vector<CollectedFile>& files() const { return files_; }
@@ -136,6 +139,7 @@ class Corpus {
   std::vector<std::string> names_;     // of their graphs in rows
   std::vector<std::uint32_t> copies_;  // how many files before each have the same graphs
   std::vector<SkippedFile> skipped_;
+  std::vector<std::string> notes_;
   CorpusGrowth growth_;
   std::uint64_t graphs_in_file_ = 0;
   std::vector<TakenGraph> entries_;   // by place

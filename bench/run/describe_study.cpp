@@ -100,6 +100,22 @@ void require_programs(const StudySpec& spec) {
   }
 }
 
+/// What was assumed where a file left a choice, the first notes of it.
+std::string notes_text(const std::vector<StudyCorpus>& corpora) {
+  constexpr std::size_t kMost = 20;
+  std::vector<std::string> notes;
+  std::set<const Corpus*> told;
+  for (const StudyCorpus& corpus : corpora) {
+    const Corpus* const graphs = corpus.corpus->graphs.get();
+    if (!told.insert(graphs).second) continue;
+    for (const std::string& note : graphs->notes()) notes.push_back(printable(note));
+  }
+  const std::size_t more = notes.size() > kMost ? notes.size() - kMost : 0;
+  notes.resize(notes.size() - more);
+  if (more > 0) notes.push_back(fmt::format("and {} more", more));
+  return fmt::format("{}", fmt::join(notes, "; "));
+}
+
 Results describe_study(const Study& study, int workers) {
   const StudySpec& spec = study.spec;
   Results results;
@@ -144,6 +160,8 @@ Results describe_study(const Study& study, int workers) {
   if (!skipped.empty()) results.tables.push_back(side_table<SkippedFile>(skipped));
   require_programs(spec);
   results.environment = capture_environment(workers);
+  const std::string notes = notes_text(corpora);
+  if (!notes.empty()) results.environment.push_back({"reading_notes", notes});
   for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
     results.environment.push_back(program_entry(*program));
     const std::string version = program_version(*program);

@@ -44,11 +44,14 @@ void read_table(const toml::node& node, GraphsEntry& entry) {
     }
     entry.shuffles = {numbers.begin(), numbers.end()};
   };
+  const auto base = [&](const toml::node& value, const std::string& key) {
+    reading.base = static_cast<unsigned>(toml_integer(value, key, 0, 1));
+  };
   std::vector<TomlKey> keys = {{entry.is_collection ? "files" : "file", into(entry.file), true},
                                {"name", parsed_into(entry.name, name), entry.is_collection},
                                {"skip", into(entry.options.skip)},
                                {"format", parsed_into(reading.format, format)},
-                               {"base", into(reading.base, 0, 1)},
+                               {"base", base},
                                {"first_line", parsed_into(reading.first_line, first_line)},
                                {"undirected", into(reading.undirected)},
                                {"simple", into(reading.simplify)},
@@ -135,7 +138,7 @@ std::string graphs_study_text(const GraphsStudy& study) {
     if (study.skip) text += ", skip = true";
     if (study.sample > 0) text += fmt::format(", sample = {}", study.sample);
     if (!reading.format.empty()) text += ", format = " + toml_quoted(reading.format);
-    if (reading.base != 0) text += fmt::format(", base = {}", reading.base);
+    if (reading.base) text += fmt::format(", base = {}", *reading.base);
     if (reading.first_line == FirstLine::edge) text += ", first_line = \"edge\"";
     if (reading.first_line == FirstLine::header) text += ", first_line = \"header\"";
     if (study.simple) text += ", simple = true";

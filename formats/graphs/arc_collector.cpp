@@ -30,9 +30,12 @@ void ArcCollector::begin(std::uint64_t announced) {
 }
 
 void ArcCollector::fail(const Arc& arc, bool backward, const char* problem) const {
-  const std::uint64_t from = std::uint64_t{backward ? arc.large : arc.small} + base_;
-  const std::uint64_t to = std::uint64_t{backward ? arc.small : arc.large} + base_;
-  input_->fail_at(arc.line, 0, fmt::format("({}, {}) {}", from, to, problem));
+  const auto name = [&](Vertex v) {
+    return name_ ? name_(v) : fmt::format("{}", std::uint64_t{v} + base_);
+  };
+  input_->fail_at(arc.line, 0,
+                  fmt::format("({}, {}) {}", name(backward ? arc.large : arc.small),
+                              name(backward ? arc.small : arc.large), problem));
 }
 
 void ArcCollector::refuse_repeats(const Arcs& arcs) const {
@@ -74,6 +77,10 @@ std::optional<Graph> ArcCollector::matched(std::uint64_t n) {
 
 std::vector<Edge> ArcCollector::merged() {
   constexpr const char* kAlone = "stands without its counterpart";
+  constexpr const char* kMixed =
+      "stands at one of its ends, others at both: all edges stand at one, or all at both";
+  const Arc* alone = nullptr;
+  bool is_alone_backward = false;
   std::vector<Edge> edges;
   edges.reserve(std::max(forward_.size(), backward_.size()));
   std::size_t f = 0;
@@ -86,15 +93,22 @@ std::vector<Edge> ArcCollector::merged() {
         f == forward_.size() ||
         (b < backward_.size() && number_of(backward_[b]) <= number_of(forward_[f]));
     const Arc& arc = in_forward ? forward_[f] : backward_[b];
-    if (!one_end_will_do_ && in_forward != in_backward) fail(arc, in_backward, kAlone);
+    if (in_forward != in_backward) {
+      if (!one_end_will_do_) fail(arc, in_backward, kAlone);
+      alone = &arc;
+      is_alone_backward = in_backward;
+    }
     edges.push_back({arc.small, arc.large});
     f += in_forward ? 1 : 0;
     b += in_backward ? 1 : 0;
   }
+  const std::size_t both = forward_.size() + backward_.size() - edges.size();
+  if (alone != nullptr && both > 0 && !simplify_) fail(*alone, is_alone_backward, kMixed);
   return edges;
 }
 
-Graph ArcCollector::finish(std::uint64_t n) {
+Graph ArcCollector::finish(std::uint64_t n, std::function<std::string(Vertex)> name) {
+  name_ = std::move(name);
   if (std::optional<Graph> graph = matched(n)) {
     begin();
     return std::move(*graph);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ar3d/formats/graphs/graph_format.h"
@@ -41,12 +43,20 @@ class ArcCollector {
   }
   std::uint64_t num_arcs() const { return forward_.size() + backward_.size() + loops_; }
 
+  /// Calls use(u, v, line) for each arc; u names v.
+  template <class Use>
+  void for_each(const Use& use) const {
+    for (const Arc& arc : forward_) use(arc.small, arc.large, std::uint64_t{arc.line});
+    for (const Arc& arc : backward_) use(arc.large, arc.small, std::uint64_t{arc.line});
+  }
+
   /// Ends the graph on n vertices (all ids are below n); its edges (u, v), u < v, are ordered by
   /// (u, v).
   /// @throws InputError on a neighbour named twice from the same end unless simplifies(), or
-  /// from one end alone if that will not do. Cost: O(n + m), and O(m log m) if the rows are not
+  /// from one end alone if that will not do, or some from one end and some from both. Cost: O(n + m), and O(m log m) if the rows are not
   /// sorted; arcs that come from both ends, by the vertex that names them, are read in order only.
-  Graph finish(std::uint64_t n);
+  /// @param name  the vertex in messages; without it its number in the file.
+  Graph finish(std::uint64_t n, std::function<std::string(Vertex)> name = {});
 
  private:
   struct Arc {
@@ -64,6 +74,7 @@ class ArcCollector {
   const TextInput* input_;
   bool simplify_;
   unsigned base_;
+  std::function<std::string(Vertex)> name_;
   bool one_end_will_do_;
   std::uint64_t loops_ = 0;
   Arcs forward_;   // named by the smaller end

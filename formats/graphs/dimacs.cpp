@@ -99,12 +99,22 @@ void append_dimacs(OutputFile& output, const Graph& graph, unsigned) {
   append_edges(output, graph, {"e ", " ", "\n"}, 1);
 }
 
+/// A first line "c …" or "p …", and somewhere "p WORD NUMBER".
 bool looks_like_dimacs(const InputHead& head) {
-  const std::size_t first = head.text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return false;
-  const std::string_view text = head.text.substr(first);
-  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
-  return line == "c" || line.starts_with("c ") || line.starts_with("c\t") || line.starts_with("p ");
+  const std::size_t first = head.body.find_first_not_of(" \t");
+  const std::string_view text = head.body.substr(std::min(first, head.body.size()));
+  if (text.size() < 2 || (text[0] != 'c' && text[0] != 'p')) return false;
+  if (std::string_view(" \t\r\n").find(text[1]) == std::string_view::npos) return false;
+  if (head.ending == "dimacs") return true;
+  for (std::size_t at = 0; at < text.size();
+       at = std::min(text.find('\n', at), text.size() - 1) + 1) {
+    const std::string_view line = text.substr(at, text.find('\n', at) - at);
+    const std::size_t number = line.find_first_of("0123456789");
+    if (line.starts_with("p ") && number != std::string_view::npos && line[number - 1] == ' ') {
+      return line.substr(2, number - 3).find_first_of(" \t") == std::string_view::npos;
+    }
+  }
+  return false;
 }
 
 }  // namespace

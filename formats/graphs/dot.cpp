@@ -1,10 +1,13 @@
-// DOT of Graphviz: undirected graphs, with subgraphs as ends of edges; attributes and ports are
-// read over. Not by Boost.Graph's reader, which names no line, recurses with its input, and reads
-// one graph a file.
+// DOT of Graphviz, word for word as its scan.l and grammar.y; attributes and ports are read over.
+// Reference: Graphviz (gc, dot). Not by its library libcgraph 2.42: behind some errors it reads right
+// files of the same process as no graph, without a word; it names no line of a loop or parallel edge,
+// and expands two subgraphs of a few bytes to any size. Nor by Boost.Graph, which recurses.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
+#include <map>
+#include <set>
 #include <string>
 
 #include "ar3d/formats/graphs/word_text.h"
@@ -30,10 +33,12 @@ class DotParser final : public GraphParser {
     }
     if (!is_directed && !is_keyword("graph")) fail("expected graph, found");
     words_.next();
-    if (words_.peek().is_name()) words_.next();
+    if (words_.peek().is_name()) read_text();
     words_.expect_mark("{", "behind graph");
+    edge_ = is_directed ? "->" : "--";
     graph_ = GatheredGraph();
-    read_statements(0);
+    Subgraph whole;
+    read_statements(whole, 0);
     return graph_.finish(options_, is_strict,
                          [&](std::size_t at, const std::string& why) { words_.fail(at, why); });
   }
@@ -48,36 +53,36 @@ class DotParser final : public GraphParser {
     words_.fail(words_.peek().at, fmt::format("{} {}", problem, shown(words_.peek().text)));
   }
 
-  /// Behind a {, up to its }. @return the vertices that stand there.
-  std::vector<Vertex> read_statements(std::size_t depth) {
-    std::vector<Vertex> all;
+  /// A subgraph: its vertices, and the named subgraphs in it. A name that comes again in the same
+  /// subgraph is the same one, as in Graphviz.
+  struct Subgraph {
+    std::set<Vertex> vertices;
+    std::map<std::string, Subgraph> named;
+  };
+
+  /// Behind a {, up to its }. @param depth  of the subgraph; 0: the graph itself.
+  void read_statements(Subgraph& here, std::size_t depth) {
     while (!words_.peek().is("}")) {
-      if (words_.peek().is(";") || words_.peek().is(",")) {
-        words_.next();
-        continue;
-      }
       if (is_keyword("graph") || is_keyword("node") || is_keyword("edge")) {
         words_.next();
         if (!words_.peek().is("[")) fail("expected [, found");
-        read_attributes(std::nullopt);
-        continue;
+        read_attributes({});
+      } else {
+        read_chain(here, depth);
       }
-      const std::vector<Vertex> here = read_chain(depth);
-      all.insert(all.end(), here.begin(), here.end());
+      if (words_.peek().is(";")) words_.next();
     }
     words_.next();
-    std::ranges::sort(all);
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
   }
 
-  /// A vertex, an edge "a -- b -- {c d}", or "name = value".
-  std::vector<Vertex> read_chain(std::size_t depth) {
-    std::vector<Vertex> ends = read_end(depth, true);
-    std::vector<Vertex> all = ends;
-    while (words_.peek().is("--") || (options_.undirected && words_.peek().is("->"))) {
+  /// Vertices, an edge "a -- b, c -- {d e}", or "name = value".
+  void read_chain(Subgraph& here, std::size_t depth) {
+    const std::vector<Vertex> first = read_end(here, depth, true);
+    const bool is_edge = words_.peek().is(edge_);
+    std::vector<Vertex> ends = first;
+    while (words_.peek().is(edge_)) {
       const std::size_t at = words_.next().at;
-      const std::vector<Vertex> others = read_end(depth, false);
+      const std::vector<Vertex> others = read_end(here, depth, false);
       // Two subgraphs of a few bytes must not claim gigabytes.
       const std::uint64_t edges = graph_.num_edges() + std::uint64_t{ends.size()} * others.size();
       if (vertex_count_problem(edges, at, options_)) {
@@ -86,47 +91,65 @@ class DotParser final : public GraphParser {
       for (const Vertex u : ends) {
         for (const Vertex v : others) graph_.join(u, v, at);
       }
-      all.insert(all.end(), others.begin(), others.end());
       ends = others;
     }
     if (words_.peek().is("->")) fail("only undirected edges are read, not");
-    if (words_.peek().is("[")) {
-      read_attributes(all.size() == 1 ? std::optional(all[0]) : std::nullopt);
-    }
-    return all;
+    if (words_.peek().is("--")) fail("edges of a digraph are ->, not");
+    if (words_.peek().is("[")) read_attributes(is_edge ? std::vector<Vertex>() : first);
   }
 
-  std::vector<Vertex> read_end(std::size_t depth, bool may_be_setting) {
+  /// Vertices between commas, or those of a subgraph; none for a setting.
+  std::vector<Vertex> read_end(Subgraph& here, std::size_t depth, bool may_be_setting) {
     const bool is_subgraph = is_keyword("subgraph");
+    std::string name;
     if (is_subgraph) {
       words_.next();
-      if (words_.peek().is_name()) words_.next();
+      if (words_.peek().is_name()) name = read_text();
     }
-    if (words_.peek().is("{")) {
-      if (depth == kDeepest) fail(fmt::format("more than {} subgraphs in each other at", kDeepest));
+    if (words_.peek().is("{")) return read_subgraph(here, name, depth + 1);
+    if (is_subgraph) fail("expected {, found");
+    std::vector<Vertex> vertices;
+    for (;;) {
+      if (!words_.peek().is_name()) fail("expected a vertex, found");
+      const bool is_html = words_.peek().is_html;
+      const std::string id = read_text();
+      if (may_be_setting && vertices.empty() && words_.peek().is("=")) {
+        words_.next();
+        if (!words_.peek().is_name()) fail("expected a value, found");
+        read_text();
+        return {};
+      }
+      for (int ports = 0; ports < 2 && words_.peek().is(":"); ++ports) {
+        words_.next();
+        if (!words_.peek().is_name()) fail("expected a port, found");
+        read_text();
+      }
+      const Vertex v = graph_.vertex(is_html ? "\x01" + id : id);  // <a> is another one than "a"
+      if (is_html) graph_.set_name(v, id);
+      vertices.push_back(v);
+      if (depth > 0) here.vertices.insert(v);
+      if (!words_.peek().is(",")) return vertices;
       words_.next();
-      return read_statements(depth + 1);
     }
-    if (is_subgraph || !words_.peek().is_name()) fail("expected a vertex, found");
-    const std::string id = read_text();
-    if (may_be_setting && words_.peek().is("=")) {
-      words_.next();
-      if (!words_.peek().is_name()) fail("expected a value, found");
-      read_text();
-      return {};
-    }
-    while (words_.peek().is(":")) {  // a port
-      words_.next();
-      if (!words_.peek().is_name()) fail("expected a port, found");
-      words_.next();
-    }
-    return {graph_.vertex(id)};
+  }
+  std::vector<Vertex> read_subgraph(Subgraph& here, const std::string& name, std::size_t depth) {
+    if (depth > kDeepest) fail(fmt::format("more than {} subgraphs in each other at", kDeepest));
+    words_.next();
+    Subgraph unnamed;
+    Subgraph& inner = name.empty() ? unnamed : here.named[name];
+    read_statements(inner, depth);
+    if (depth > 1) here.vertices.insert(inner.vertices.begin(), inner.vertices.end());
+    return {inner.vertices.begin(), inner.vertices.end()};
   }
 
   /// A name, or strings joined by +.
   std::string read_text() {
+    for (const char* keyword : {"graph", "digraph", "subgraph", "strict", "node", "edge"}) {
+      if (is_keyword(keyword)) fail("a name that is a keyword stands in quotes:");
+    }
+    const bool is_quoted = words_.peek().kind == TextWord::Kind::quoted;
     std::string text = words_.next().text;
-    while (words_.peek().is("+")) {
+    while (is_quoted && words_.peek().is("+")) {
       words_.next();
       if (words_.peek().kind != TextWord::Kind::quoted) fail("expected a string, found");
       text += words_.next().text;
@@ -134,22 +157,21 @@ class DotParser final : public GraphParser {
     return text;
   }
 
-  /// [name = value, …] any number of times; a label names the vertex.
-  void read_attributes(std::optional<Vertex> vertex) {
+  /// [name = value, …] any number of times; a label names the vertices.
+  void read_attributes(const std::vector<Vertex>& vertices) {
     while (words_.peek().is("[")) {
       words_.next();
       while (!words_.peek().is("]")) {
         if (!words_.peek().is_name()) fail("expected an attribute, found");
         const std::string name = read_text();
-        std::string value;
-        if (words_.peek().is("=")) {
-          words_.next();
-          if (!words_.peek().is_name()) fail("expected a value, found");
-          value = read_text();
+        if (!words_.peek().is("=")) fail("expected =, found");
+        words_.next();
+        if (!words_.peek().is_name()) fail("expected a value, found");
+        const std::string value = read_text();
+        const bool is_label = name == "label" || name == "name";
+        if (is_label && value != "\\N" && !value.empty()) {
+          for (const Vertex v : vertices) graph_.set_name(v, value);
         }
-        const bool is_label =
-            vertex && (name == "label" || name == "name") && value != "\\N" && !value.empty();
-        if (is_label) graph_.set_name(*vertex, value);
         if (words_.peek().is(";") || words_.peek().is(",")) words_.next();
       }
       words_.next();
@@ -157,6 +179,7 @@ class DotParser final : public GraphParser {
   }
 
   WordText words_;
+  const char* edge_ = "--";
   GatheredGraph graph_;
 };
 
@@ -167,13 +190,43 @@ void append_dot(OutputFile& output, const Graph& graph, unsigned) {
   output.pending() += "}\n";
 }
 
+/// Behind comments "strict", "graph" or "digraph", maybe a name, and a {.
 bool looks_like_dot(const InputHead& head) {
-  std::string_view text = head.text;
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  if (text.starts_with("//") || text.starts_with("/*")) return true;
-  const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n{\""));
-  using boost::algorithm::iequals;
-  return iequals(word, "graph") || iequals(word, "digraph") || iequals(word, "strict");
+  std::string_view text = head.body;
+  const auto skip_to = [&](std::size_t at) { text.remove_prefix(std::min(at, text.size())); };
+  const auto skip_blanks = [&] { skip_to(text.find_first_not_of(" \t\r\n")); };
+  for (;;) {
+    skip_blanks();
+    if (text.starts_with("//") || text.starts_with('#')) {
+      skip_to(text.find('\n'));
+    } else if (text.starts_with("/*")) {
+      skip_to(text.find("*/"));
+      skip_to(2);
+    } else {
+      break;
+    }
+  }
+  const auto skip_word = [&](std::string_view word) {
+    if (!boost::algorithm::istarts_with(text, word)) return false;
+    const std::string_view rest = text.substr(word.size());
+    if (!rest.empty() && std::string_view(" \t\r\n{\"/").find(rest[0]) == std::string_view::npos) {
+      return false;
+    }
+    text = rest;
+    skip_blanks();
+    return true;
+  };
+  const bool is_strict = skip_word("strict");
+  if (!skip_word("graph") && !skip_word("digraph")) return is_strict && head.ending == "dot";
+  if (head.ending == "dot") return true;
+  if (text.starts_with('"')) {
+    skip_to(text.find('"', 1));
+    skip_to(1);
+  } else {
+    skip_to(text.find_first_of(" \t\r\n{"));
+  }
+  skip_blanks();
+  return text.starts_with('{') || text.starts_with('/');
 }
 
 }  // namespace

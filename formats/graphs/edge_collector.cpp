@@ -8,13 +8,14 @@
 namespace ar3d {
 namespace {
 constexpr std::uint64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
+constexpr const char* kFromOne = ", ids from 0 (--base 1 reads ids from 1)";
 }  // namespace
 
 void EdgeCollector::begin(std::optional<std::uint64_t> n) {
   if (n > kMaxVertices) input_->fail(0, *vertex_count_problem(*n, 0, options_));
   known_n_ = n;
   limit_ = n.value_or(kMaxVertices);
-  largest_end_ = 0;
+  range_ = {};
   first_byte_ = input_->bytes();
   header_line_ = input_->line();
   edges_.clear();
@@ -28,38 +29,46 @@ void EdgeCollector::expect_edges(std::uint64_t announced) {
 
 Vertex EdgeCollector::read_vertex(Tokens& tokens) {
   const std::uint64_t id = tokens.number("a vertex id");
+  return vertex_of(id, tokens.column());
+}
+
+Vertex EdgeCollector::vertex_of(std::uint64_t id, std::size_t column) {
   if (id < base_)
-    tokens.fail(fmt::format("vertex id {} is below {}, the smallest here", id, base_));
+    input_->fail(column, fmt::format("vertex id {} is below {}, the smallest here", id, base_));
   if (id - base_ >= limit_) {
-    tokens.fail(known_n_ ? fmt::format("vertex id {} is out of range, the graph has {} vertices",
-                                       id, limit_)
-                         : fmt::format("vertex id {} is too large, ids fit 32 bits", id));
+    input_->fail(column,
+                 known_n_ ? fmt::format("vertex id {} is out of range, the graph has {} vertices{}",
+                                        id, limit_, base_ == 0 && id == limit_ ? kFromOne : "")
+                          : fmt::format("vertex id {} is too large, ids fit 32 bits", id));
   }
-  if (id - base_ >= largest_end_) {
-    largest_end_ = id - base_ + 1;
-    largest_line_ = input_->line();
-  }
+  note({id - base_, id - base_ + 1, input_->line()});
   return static_cast<Vertex>(id - base_);
 }
 
-void EdgeCollector::note_end(std::uint64_t end, std::uint64_t line) {
-  if (end <= largest_end_) return;
-  largest_end_ = end;
-  largest_line_ = line;
+void EdgeCollector::note(const Range& other) {
+  range_.smallest = std::min(range_.smallest, other.smallest);
+  if (other.end <= range_.end) return;
+  range_.end = other.end;
+  range_.line = other.line;
 }
 
-Vertex EdgeCollector::smallest_vertex(std::size_t first_edge) const {
-  Vertex smallest = std::numeric_limits<Vertex>::max();
-  for (std::size_t e = first_edge; e < edges_.size(); ++e) {
-    smallest = std::min({smallest, edges_[e].u, edges_[e].v});
-  }
-  return smallest;
+std::uint64_t EdgeCollector::num_named() const {
+  std::vector<bool> is_named(range_.end);
+  for (const Edge& edge : edges_) is_named[edge.u] = is_named[edge.v] = true;
+  return static_cast<std::uint64_t>(std::ranges::count(is_named, true));
 }
 
-void EdgeCollector::first_was_header(std::uint64_t n, bool collected) {
+void EdgeCollector::settle(std::uint64_t n, unsigned base) {
   if (n > kMaxVertices) input_->fail_at(header_line_, 0, *vertex_count_problem(n, 0, options_));
+  for (Edge& edge : edges_) {
+    edge.u -= base - base_;
+    edge.v -= base - base_;
+  }
   known_n_ = n;
-  if (!collected) return;
+  base_ = base;
+}
+
+void EdgeCollector::drop_first_edge() {
   edges_.erase(edges_.begin());
   for (Run& run : runs_) {
     if (run.first > 0)
@@ -126,10 +135,10 @@ std::uint64_t EdgeCollector::line_of(std::uint64_t edge) const {
 }
 
 std::uint64_t EdgeCollector::checked_n() const {
-  const std::uint64_t n = known_n_.value_or(largest_end_);
+  const std::uint64_t n = known_n_.value_or(range_.end);
   const std::uint64_t bytes = input_->bytes() - first_byte_;
   if (const auto problem = vertex_count_problem(n, bytes, options_)) {
-    input_->fail_at(known_n_ ? header_line_ : largest_line_, 0, *problem);
+    input_->fail_at(known_n_ ? header_line_ : range_.line, 0, *problem);
   }
   return n;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -21,12 +22,18 @@ class EdgeCollector {
 
   /// Starts a graph. @param n  number of vertices where the file tells it.
   void begin(std::optional<std::uint64_t> n);
+  /// Starts a graph whose smallest id is another one.
+  void begin(std::optional<std::uint64_t> n, unsigned base) {
+    base_ = base;
+    begin(n);
+  }
   /// Makes room for the edges announced, as far as the rest of the text can hold them.
   void expect_edges(std::uint64_t announced);
   /// Reads the two ends of an edge. @throws InputError on a bad id, or a loop if they are refused.
   void read_edge(Tokens& tokens);
   /// An id of the file as a vertex. @throws InputError if it is out of range.
   Vertex read_vertex(Tokens& tokens);
+  Vertex vertex_of(std::uint64_t id, std::size_t column);
   void add(Vertex u, Vertex v);
   /// Reads and adds plain lines of one edge each (read_plain_pairs) behind `before`, at most
   /// `most`.
@@ -36,10 +43,11 @@ class EdgeCollector {
   /// line.
   bool accepts(std::uint64_t u, std::uint64_t v, std::uint64_t line) {
     if (u - base_ >= limit_ || v - base_ >= limit_ || (u == v && !options_.simplify)) return false;
+    range_.smallest = std::min({range_.smallest, u - base_, v - base_});
     const std::uint64_t end = std::max(u, v) - base_ + 1;
-    if (end > largest_end_) {
-      largest_end_ = end;
-      largest_line_ = line;
+    if (end > range_.end) {
+      range_.end = end;
+      range_.line = line;
     }
     return true;
   }
@@ -51,17 +59,26 @@ class EdgeCollector {
   std::uint64_t checked_n() const;
 
   std::uint64_t num_edges() const { return edges_.size(); }
-  /// Largest vertex + 1 so far, and the same counted anew from here on.
-  std::uint64_t largest_end() const { return largest_end_; }
-  void forget_largest_end() { largest_end_ = 0; }
-  /// The smallest vertex of the edges from the given one on; the largest number if there is none.
-  /// O(m) time.
-  Vertex smallest_vertex(std::size_t first_edge) const;
-  /// Notes a largest vertex + 1 that stands in a line.
-  void note_end(std::uint64_t end, std::uint64_t line);
-  /// The first line read was no edge but said that there are n vertices. @throws InputError as
-  /// begin. `collected`: it has been collected as an edge. O(m) time.
-  void first_was_header(std::uint64_t n, bool collected);
+  const std::vector<Edge>& edges() const { return edges_; }
+  /// The line of that edge.
+  std::uint64_t line_of(std::uint64_t edge) const;
+  /// Says which vertices the edges name, as far as they have been read since the last begin() or
+  /// forget_range().
+  struct Range {
+    std::uint64_t smallest = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t end = 0;   ///< the largest + 1
+    std::uint64_t line = 0;  ///< where that stands
+  };
+  const Range& range() const { return range_; }
+  void forget_range() { range_ = {}; }
+  void note(const Range& other);
+  /// The number of vertices that the edges name. O(m + largest id) time.
+  std::uint64_t num_named() const;
+  /// From here on there are n vertices, the smallest id is `base`; the edges read so far have been
+  /// numbered from the old one, which is at most that.
+  void settle(std::uint64_t n, unsigned base);
+  /// The first line read was no edge. O(m) time.
+  void drop_first_edge();
   /// Ends the graph; without a known n it has the vertices up to the largest id.
   /// @throws InputError on parallel edges, or on more vertices than the text accounts for.
   Graph finish();
@@ -72,17 +89,15 @@ class EdgeCollector {
     std::uint64_t first = 0;
     std::uint64_t line = 0;
   };
-  std::uint64_t line_of(std::uint64_t edge) const;
   void reserve_for_the_rest();
 
   const TextInput* input_;
   ReadOptions options_;  // a copy: the caller's may be a temporary
   unsigned base_;
   std::optional<std::uint64_t> known_n_;
-  std::uint64_t limit_ = 0;         // ids are below this
-  std::uint64_t largest_end_ = 0;   // largest vertex + 1
-  std::uint64_t largest_line_ = 0;  // where it stands
-  std::uint64_t first_byte_ = 0;    // of the graph's text
+  std::uint64_t limit_ = 0;  // ids are below this
+  Range range_;
+  std::uint64_t first_byte_ = 0;  // of the graph's text
   std::uint64_t header_line_ = 0;
   std::vector<Edge> edges_;
   std::vector<Run> runs_;

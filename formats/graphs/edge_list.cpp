@@ -1,282 +1,207 @@
-// One edge "u v" per line, or "u,v" or "u;v", maybe in quotes; a weight may follow; comments begin
-// with # or %. A line "# vertices N", "% vertices N" or "n N" begins a graph with N vertices; edges
-// without such a line make a graph up to the largest id.
+// Lists of edges, one a line, as words or as the columns of a table (list_rows.h). A line "# vertices N"
+// begins a graph with N vertices, ids from 0; a list without it is read as a whole before it is
+// decided whether its ids are numbers, from which one they count, and whether its first line is an
+// edge. Reference: networkx (read_edgelist) and igraph (ncol) for words, pandas (read_csv) for tables.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
-#include "ar3d/base/error.h"
-#include "ar3d/formats/graphs/edge_collector.h"
-#include "ar3d/formats/graphs/word_text.h"
+#include "ar3d/formats/graphs/list_graph.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {
 namespace {
 
-/// A blank of a name in quotes, until its line is in words.
-constexpr char kBlankOfName = '\x1f';
-
-/// The names of the columns of a list with separators: source, target, and maybe more.
-bool is_heading(std::string_view line) {
-  std::string columns;
-  for (const char c : line.substr(0, 32)) {
-    const int lower = std::tolower(static_cast<unsigned char>(c));
-    if (c != '"' && c != '\r') columns += c == ';' ? ',' : static_cast<char>(lower);
-  }
-  return (columns + ",").starts_with("source,target,") || (columns + ",").starts_with("from,to,");
-}
-
-/// The comma or semicolon behind the line's first column; 0 if it is of no such list.
-/// @param told  the file is called an edge list: names without blanks may have separators, too.
-char separator_of(std::string_view line, bool told) {
-  std::size_t behind = line.find_first_not_of("0123456789");
-  if (line.starts_with('"')) {
-    do {
-      behind = line.find('"', behind + 1) + 1;
-    } while (behind > 0 && line.substr(behind).starts_with('"'));
-  } else if (is_heading(line) || (told && line.find_first_of(" \t") == std::string_view::npos)) {
-    behind = line.find_first_of(",;");
-  }
-  const bool is_list = behind > 0 && behind < line.size();
-  return is_list && (line[behind] == ',' || line[behind] == ';') ? line[behind] : '\0';
-}
-
-constexpr const char* kInAStudy = "in a study the keys base and first_line";
-
 class EdgeListParser final : public GraphParser {
  public:
   EdgeListParser(TextInput& input, const ReadOptions& options)
-      : GraphParser(input, options), edges_(input, options, options.base) {}
+      : GraphParser(input, options),
+        graph_(input, options_, shape_,
+               [this](std::uint64_t line, const std::string& text) { note(line, text); }) {
+    shape_.is_forced = !options.format.empty();
+    shape_.is_told = shape_.is_forced || told_format(input.name()) == "edgelist";
+    is_of_names_ = input.name().find(".ncol") != std::string::npos;
+  }
 
   std::optional<Graph> next() override {
-    bool begun = false;
-    first_.reset();
-    named_ = GatheredGraph();
-    while (const std::optional<std::string_view> line = next_odd_line(begun)) {
+    graph_.begin(std::nullopt, options_.base.value_or(0), is_of_names_);
+    shape_.heading.reset();
+    bool has_begun = false;
+    while (const std::optional<std::string_view> line = next_odd_line()) {
       if (is_blank(*line)) continue;
-      if (const std::optional<Tokens> header = size_header(input_, *line)) {
-        if (begun) {
+      if (const std::optional<SizeLine> sizes = size_line(input_, *line)) {
+        if (has_begun || graph_.num_rows() > 0) {
           input_.put_back();
           break;
         }
-        begin_with(*header);
-        begun = true;
-      } else if (!is_comment(*line)) {
-        if (!begun) {
-          edges_.begin(std::nullopt);
-          if (!has_heading_) separator_ = separator_of(*line, is_told());
-          if (is_heading(*line)) {
-            has_heading_ = true;
-            continue;
-          }
-        }
-        Tokens tokens(input_, in_words(*line));
-        if (!begun) {
-          if (is_of_names(tokens)) return read_named(*line);
-          read_first_line(tokens);
-        } else {
-          edges_.read_edge(tokens);
-        }
-        begun = true;
-        skip_attributes(tokens);
+        begin_with(*sizes);
+        has_begun = true;
+      } else if (is_comment(*line)) {
+        read_comment(*line);
+      } else {
+        read_line(*line);
       }
     }
-    if (!begun) return std::nullopt;
-    if (first_) decide_first_line();
-    return edges_.finish();
+    if (!has_begun && graph_.num_rows() == 0) return std::nullopt;
+    return graph_.finish();
   }
-  std::vector<std::string> names() const override { return named_.names(); }
+  std::vector<std::string> names() const override { return graph_.names(); }
 
  private:
-  /// All lines to come, and this one: "alice bob", and nothing behind it but attributes or a
-  /// weight.
-  Graph read_named(std::string_view line) {
-    for (std::optional<std::string_view> next = line; next; next = input_.next_line()) {
-      if (is_blank(*next) || is_comment(*next)) continue;
-      Tokens tokens(input_, in_words(*next));
-      const Vertex u = named_.vertex(name_of(tokens.word()));
-      if (tokens.done()) tokens.fail("expected a second name, the other end of the edge");
-      named_.join(u, named_.vertex(name_of(tokens.word())), input_.line());
-      Tokens rest = tokens;
-      const std::string_view behind = rest.word();
-      const bool is_weight = !begins_with_name(behind) && rest.done();
-      if (!behind.empty() && !behind.starts_with('{') && !is_weight) tokens.expect_done("the edge");
+  void begin_with(const SizeLine& sizes) {
+    if (sizes.base && options_.base && *sizes.base != *options_.base) {
+      input_.fail(0, fmt::format("ids are from {}, but --base is {}", *sizes.base, *options_.base));
     }
-    return named_.finish(options_, false, [&](std::size_t at, const std::string& why) {
-      input_.fail_at(at, 0, why);
-    });
+    graph_.begin(sizes.n, sizes.base.value_or(options_.base.value_or(0)), false);
+    shape_.cut = {};
+    shape_.columns = 0;
   }
-
-  /// The first line of a graph that no size line begins.
-  struct First {
-    std::uint64_t a = 0;
-    std::uint64_t b = 0;
-    std::uint64_t line = 0;
-    std::string problem;    ///< why it is no edge; empty: it is collected as one
-    std::uint64_t end = 0;  ///< its largest vertex + 1
-  };
 
   /// The next line that is not read as one of many plain edges.
-  std::optional<std::string_view> next_odd_line(bool begun) {
-    constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
-    if (begun) edges_.read_plain_edges(input_, "", kAll);
+  std::optional<std::string_view> next_odd_line() {
+    const bool is_plain = shape_.cut.separator == 0 || shape_.cut.separator == '\t';
+    if (graph_.num_rows() > 0 && !graph_.is_named() && is_plain && shape_.columns <= 2 &&
+        !shape_.heading) {
+      graph_.read_plain_edges();
+    }
     return input_.next_line();
   }
-  void begin_with(Tokens header) {
-    const std::uint64_t n = header.number("a number of vertices");
-    header.expect_done("the number of vertices");
-    edges_.begin(n);
-  }
-  /// Is the file called an edge list, by its ending or by --from? Lines of three numbers and of
-  /// names tell nothing.
-  bool is_told() const { return !options_.format.empty() || is_named_edge_list(input_.name()); }
-  /// Is the first line's first word a name? Without separators it is only where names may be.
-  bool is_of_names(Tokens tokens) const {
-    const std::string_view first = tokens.word();
-    if (separator_ == 0) return is_told() && begins_with_name(first);
-    return first.find_first_not_of("0123456789") != std::string_view::npos && first[0] != '-';
-  }
-  /// The line with blanks for separators and quotes, if it is of a list with such; valid until the
-  /// next call. @throws InputError for a quote without its other one.
-  std::string_view in_words(std::string_view line) {
-    if (separator_ == 0) return line;
-    row_.clear();
-    std::size_t quote = 0;  // column of the one that is open
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const char c = line[i];
-      const bool is_doubled = quote > 0 && c == '"' && line.substr(i + 1).starts_with('"');
-      if (is_doubled) ++i;
-      if (c == '"' && !is_doubled) quote = quote > 0 ? 0 : i + 1;
-      const bool is_between = quote == 0 && c == separator_;
-      row_ += is_between || (c == '"' && !is_doubled) ? ' '
-              : quote > 0 && (c == ' ' || c == '\t')  ? kBlankOfName
-                                                      : c;
+
+  void read_comment(std::string_view line) {
+    const std::size_t word = line.find_first_not_of(" \t", 1);
+    const bool is_one_word = word != std::string_view::npos && word > 1 &&
+                             line.find_first_of(" \t", word) == std::string_view::npos;
+    if (graph_.num_rows() == 0) {
+      is_like_lgl_ = is_like_lgl_ || (input_.line() == 1 && line[0] == '#' && is_one_word);
+    } else if (!shape_.is_forced && line[0] == '#' &&
+               (word == std::string_view::npos || is_one_word)) {
+      if (word == std::string_view::npos) {
+        input_.fail(0,
+                    "a line '#' between rows: this is Trivial Graph Format (TGF), which is not "
+                    "read, or an empty comment; --from edgelist reads it as an edge list");
+      }
+      if (is_like_lgl_) {
+        input_.fail(0, fmt::format("a second line such as {}: this is LGL, which is not read; "
+                                   "igraph makes GraphML of it: Graph.Read_Lgl(FILE)"
+                                   ".write_graphml(OUTPUT)",
+                                   shown(line)));
+      }
+    } else if (graph_.is_named() && (line[0] == '%' || word == 1)) {
+      input_.fail(1, fmt::format("{} is a comment or begins with a name: a blank behind the # or "
+                                 "quotes tell",
+                                 shown(line)));
     }
-    if (quote > 0)
-      input_.fail(quote, fmt::format("no quote ends {}", shown(line.substr(quote - 1))));
-    return row_;
-  }
-  /// The word as it stands in the file, valid until the next call.
-  std::string_view name_of(std::string_view word) {
-    name_ = word;
-    std::ranges::replace(name_, kBlankOfName, ' ');
-    return name_;
-  }
-  /// A weight as networkx' write_weighted_edgelist has it: a number; a whole one only where the
-  /// file is called an edge list.
-  bool is_weight(std::string_view word) const {
-    double value = 0;
-    const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool is_whole = word.find_first_not_of("-0123456789") == std::string_view::npos;
-    return read.ec == std::errc() && read.ptr == word.data() + word.size() &&
-           std::isfinite(value) && (!is_whole || separator_ != 0 || is_told());
-  }
-  /// Behind an edge: "{}" or "{'weight': 2}", as networkx writes, or one weight; else it is refused.
-  void skip_attributes(Tokens& tokens) const {
-    Tokens rest = tokens;
-    const std::string_view word = rest.word();
-    if (word.starts_with('{') || (is_weight(word) && rest.done())) return;
-    tokens.expect_done("the edge");
+    graph_.stated().read(input_, line);
   }
 
-  void read_first_line(Tokens& tokens) {
-    Tokens ends = tokens;
-    First first;
-    first.a = ends.number("a vertex id");
-    first.b = ends.number("a vertex id");
-    first.line = input_.line();
-    if (!ends.done() || has_heading_ || options_.first_line == FirstLine::edge) {
-      return edges_.read_edge(tokens);
+  void read_line(std::string_view line) {
+    if (graph_.num_rows() == 0 && shape_.columns == 0) {
+      shape_.cut = cut_of(input_, line);
+      shape_.columns = 0;
     }
-    try {
-      edges_.read_edge(tokens);
-    } catch (const InputError& error) {
-      first.problem = error.what();
-      tokens = ends;
+    const ListRow row = shape_.cut(input_, line);
+    if (graph_.num_rows() == 0 && !shape_.heading && read_heading(row)) return;
+    const EndColumns ends = shape_.heading.value_or(EndColumns{});
+    check_columns(row, ends);
+    const ListField& a = row[ends.source];
+    const ListField& b = row[ends.target];
+    for (const ListField* end : {&a, &b}) {
+      if (const auto problem = end_problem(*end)) input_.fail(end->column, *problem);
     }
-    first.end = edges_.largest_end();
-    edges_.forget_largest_end();
-    first_ = first;
+    refuse_row_names(row, a, b);
+    graph_.add(row, a, b);
   }
 
-  /// Header or edge, now that the graph's other lines are known.
-  void decide_first_line() {
-    const bool is_edge = first_->problem.empty();
-    const std::uint64_t others = edges_.num_edges() - (is_edge ? 1 : 0);
-    const bool wanted = options_.first_line == FirstLine::header;
-    const bool fits = others == first_->b && edges_.largest_end() <= first_->a &&
-                      (wanted || first_->a > 0);  // "0 0" is a loop
-    if (!fits && others == first_->b && edges_.largest_end() == first_->a + 1 &&
-        edges_.smallest_vertex(is_edge ? 1 : 0) > 0) {
-      refuse_ids_from_one();
+  /// True if the first row is a heading and no edge; else it may still be one.
+  bool read_heading(const ListRow& row) {
+    const std::optional<EndColumns> known = ends_of_heading(row);
+    shape_.columns = shape_.cut.separator != 0 ? row.size() : 0;
+    const bool may_be_edge = row.size() == 2 || (row.size() == 3 && is_attribute(row[2]));
+    if (may_be_edge || !known || options_.first_line == FirstLine::edge) return false;
+    shape_.heading = known;
+    shape_.columns = row.size();
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (row[i].text == "Type" || row[i].text == "type") shape_.type_column = i;
     }
-    if (wanted && !fits) {
-      input_.fail_at(first_->line, 0,
-                     fmt::format("{} vertices and {} edges announced, found {} edges and ids up to "
-                                 "vertex {}",
-                                 first_->a, first_->b, others, edges_.largest_end()));
+    graph_.note_heading(input_.line(), row);
+    return true;
+  }
+  void check_columns(const ListRow& row, EndColumns ends) const {
+    const bool is_short = row.size() < 2 || row.size() <= std::max(ends.source, ends.target);
+    if (is_short) {
+      input_.fail(0, "expected two ends of an edge, found the end of the line");
     }
-    if (fits && is_edge && !wanted) {
-      input_.fail_at(first_->line, 0,
-                     fmt::format("'{0} {1}' may be an edge, or the header of a graph with {0} "
-                                 "vertices and {1} edges: --first-line edge or --first-line header "
-                                 "says which ({2})",
-                                 first_->a, first_->b, kInAStudy));
+    if (shape_.columns > 0 && row.size() != shape_.columns &&
+        !(row.size() > 2 && row.back().text.starts_with('{'))) {
+      input_.fail(0, fmt::format("{} fields, but {} in the first row", row.size(), shape_.columns));
     }
-    if (fits) return edges_.first_was_header(first_->a, is_edge);
-    if (!is_edge) throw InputError(first_->problem);
-    edges_.note_end(first_->end, first_->line);
+    if (shape_.heading) {
+      if (shape_.type_column < row.size() && plain_type(row[shape_.type_column].text) == 'd' &&
+          !options_.undirected) {
+        input_.fail(row[shape_.type_column].column,
+                    "directed edges are not read (--undirected drops directions)");
+      }
+      return;
+    }
+    if (row.size() > 3 && shape_.cut.separator != 0) {
+      input_.fail(0, fmt::format("{} columns and no heading that says which two are the ends of "
+                                 "edges: 'source' and 'target' do",
+                                 row.size()));
+    }
+    if (row.size() > 2) check_attributes(row);
+  }
+  static char plain_type(const std::string& text) {
+    return text.empty() ? ' ' : static_cast<char>(text[0] | 0x20);
+  }
+  void check_attributes(const ListRow& row) const {
+    // Three ids or a weight? Only a list that is called one, or a table, has whole weights.
+    const bool may_be_whole = shape_.cut.separator != 0 || shape_.is_told;
+    const bool is_whole = row[2].text.find_first_not_of("-0123456789") == std::string::npos;
+    const bool is_good = is_attribute(row[2]) && (may_be_whole || !is_whole);
+    if (is_good && row.size() == 3) return;
+    const ListField& odd = row[is_good ? 3 : 2];
+    input_.fail(odd.column, fmt::format("unexpected {} after the edge", shown(odd.text)));
+  }
+  /// "1",0,1 of R: the row's name, and behind it the edge.
+  void refuse_row_names(const ListRow& row, const ListField& a, const ListField& b) const {
+    if (shape_.heading || row.size() < 3 || !a.is_quoted || b.is_quoted) return;
+    if (!is_whole_number(a.text) || !is_whole_number(b.text)) return;
+    input_.fail(a.column, fmt::format("\"{}\" may be the name of a row and no end of an edge: a "
+                                      "heading 'source' and 'target' tells",
+                                      a.text));
   }
 
-  /// The header of ids from 1 to n would be lost, were it read as an edge of ids from 0.
-  [[noreturn]] void refuse_ids_from_one() const {
-    input_.fail_at(first_->line, 0,
-                   fmt::format("'{0} {1}' may be the header of a graph with {0} vertices, ids 1 to "
-                               "{0}, and {1} edges: --base 1 --first-line header reads it so, "
-                               "--first-line edge as an edge ({2})",
-                               first_->a, first_->b, kInAStudy));
-  }
-
-  EdgeCollector edges_;
-  char separator_ = 0;  // between the columns; 0: blanks
-  bool has_heading_ = false;
-  std::string row_, name_;
-  GatheredGraph named_;  // instead, of a list of names
-  std::optional<First> first_;
+  ListShape shape_;
+  bool is_of_names_ = false;  // by the ending: ids are names whatever they are
+  bool is_like_lgl_ = false;
+  ListGraph graph_;
 };
 
 void append_edge_list(OutputFile& output, const Graph& graph, unsigned base) {
-  std::string& out = output.pending();
-  append_all(out, "# vertices ", graph.num_vertices(), '\n');
+  append_all(output.pending(), "# vertices ", graph.num_vertices(), base == 1 ? " from 1\n" : "\n");
   append_edges(output, graph, {"", " ", "\n"}, base);
 }
 
-/// Numbers or comments first; the last format asked, so that an odd line is reported by its number.
+/// Numbers, quotes, a heading, or whatever the ending calls an edge list; the last format asked, so
+/// that an odd line is reported by its number.
 bool looks_like_edge_list(const InputHead& head) {
-  const std::size_t first = head.text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return true;
-  const std::string_view text = head.text.substr(first);
-  return is_digit(text[0]) || is_comment(text) || text.starts_with("n ") ||
-         separator_of(text.substr(0, text.find_first_of("\r\n")), false) != 0 ||
-         (head.is_named_edge_list && begins_with_name(text));
+  const std::string_view line = head.body.substr(0, head.body.find_first_of("\r\n"));
+  if (is_blank(line) || head.ending == "edgelist") return true;
+  const char first = line[line.find_first_not_of(" \t")];
+  return is_digit(first) || first == '-' || first == '"' || is_heading_of_ends(line);
 }
 
 }  // namespace
 
 GraphFormat edge_list_format() {
   return {.name = "edgelist",
-          .extensions = {".edges", ".edgelist", ".el", ".ncol", ".txt"},
+          .extensions = {".edges", ".edgelist", ".el", ".txt"},
           .summary =
-              "one edge \"u v\", \"u,v\" or \"u;v\" per line, a weight behind it is skipped; # or "
-              "% comments, "
-              "\"# vertices N\" begins a graph",
+              "one edge \"u v\", \"u,v\" or \"u;v\" per line, a weight behind it is skipped; "
+              "tables by their headings; # or % comments, \"# vertices N\" begins a graph",
           .detect = looks_like_edge_list,
           .parser = make_parser<EdgeListParser>,
           .writer = make_appending<append_edge_list>};

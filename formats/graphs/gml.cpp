@@ -1,6 +1,8 @@
 // GML: lists of keys and values in brackets; nodes have ids of their own. Other keys are read over.
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 #include <string>
 
 #include "ar3d/formats/graphs/word_text.h"
@@ -8,6 +10,11 @@
 
 namespace ar3d {
 namespace {
+
+/// Keys are the same in small and capital letters, as igraph reads them.
+bool is_key(const TextWord& word, std::string_view key) {
+  return boost::algorithm::iequals(word.text, key);
+}
 
 class GmlParser final : public GraphParser {
  public:
@@ -18,7 +25,7 @@ class GmlParser final : public GraphParser {
     while (words_.peek().kind != TextWord::Kind::end) {
       const TextWord key = words_.next();
       if (key.kind != TextWord::Kind::plain) fail(key, "expected a key");
-      if (key.text == "graph" && words_.peek().is("[")) return read_graph();
+      if (is_key(key, "graph") && words_.peek().is("[")) return read_graph();
       skip_value(key);
     }
     return std::nullopt;
@@ -44,17 +51,19 @@ class GmlParser final : public GraphParser {
     graph_ = GatheredGraph();
     read_list([&](const TextWord& key) {
       const bool is_list = words_.peek().is("[");
-      if (key.text == "node" && is_list) {
+      if (is_key(key, "node") && is_list) {
         read_node(key);
-      } else if (key.text == "edge" && is_list) {
+      } else if (is_key(key, "edge") && is_list) {
         std::array<TextWord, 2>& ends = edges.emplace_back();
         ends[0].at = ends[1].at = key.at;
         read_list([&](const TextWord& inner) {
-          if (inner.text == "source") return ends[0].text = value_of(inner), void();
-          if (inner.text == "target") return ends[1].text = value_of(inner), void();
-          skip_value(inner);
+          const bool is_source = is_key(inner, "source");
+          if (!is_source && !is_key(inner, "target")) return skip_value(inner);
+          std::string& end = ends[is_source ? 0 : 1].text;
+          if (!end.empty()) fail(inner, "a second");
+          end = value_of(inner);
         });
-      } else if (key.text == "directed") {
+      } else if (is_key(key, "directed")) {
         if (value_of(key) != "0" && !options_.undirected) {
           fail(key, "only undirected graphs are read (--undirected drops directions), not");
         }
@@ -74,8 +83,11 @@ class GmlParser final : public GraphParser {
     std::optional<std::string> id;
     std::string label;
     read_list([&](const TextWord& key) {
-      if (key.text == "id") return id = value_of(key), void();
-      if (key.text == "label") return label = value_of(key), void();
+      if (is_key(key, "id")) {
+        if (id) fail(key, "a second");
+        return id = value_of(key), void();
+      }
+      if (is_key(key, "label")) return label = value_of(key), void();
       skip_value(key);
     });
     if (!id) fail(node, "no id in a");
@@ -114,20 +126,24 @@ void append_gml(OutputFile& output, const Graph& graph, unsigned) {
   output.pending() += "]\n";
 }
 
-/// A key, Creator, Version or graph, and behind it no name of a DOT graph.
+/// The key graph and a list; or another key and its value, and behind them these.
 bool looks_like_gml(const InputHead& head) {
-  std::string_view text = head.text;
-  while (is_comment(text) || (!text.empty() && is_blank(text.substr(0, text.find('\n'))))) {
-    const std::size_t end = text.find('\n');
-    if (end == std::string_view::npos) return false;
-    text.remove_prefix(end + 1);
+  const std::string text = boost::algorithm::to_lower_copy(std::string(head.body));
+  const auto behind_blanks = [&](std::size_t at) {
+    const std::size_t next = text.find_first_not_of(" \t\r\n", at);
+    return next == std::string::npos ? '\0' : text[next];
+  };
+  const std::size_t key = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_");
+  if (key == 0 || key == std::string::npos || is_digit(text[0])) return false;
+  if (text.substr(0, key) == "graph") return behind_blanks(key) == '[';
+  if (std::string_view("\"[+-.0123456789").find(behind_blanks(key)) == std::string_view::npos) {
+    return false;
   }
-  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  if (text.starts_with("Creator ") || text.starts_with("Version ")) return true;
-  if (!text.starts_with("graph")) return false;
-  text.remove_prefix(5);
-  const std::size_t next = text.find_first_not_of(" \t\r\n");
-  return next == std::string_view::npos || text[next] == '[';
+  for (std::size_t at = text.find("graph", key); at != std::string::npos;
+       at = text.find("graph", at + 5)) {
+    if (behind_blanks(at + 5) == '[') return true;
+  }
+  return false;
 }
 
 }  // namespace

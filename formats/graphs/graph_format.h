@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ar3d/formats/text/output.h"
@@ -22,7 +23,8 @@ enum class FirstLine { automatic, edge, header };
 
 struct ReadOptions {
   std::string format = {};  ///< name of a format; empty: detected by content
-  unsigned base = 0;        ///< smallest vertex id in edge lists and adjacency lists, 0 or 1
+  /// Smallest vertex id in edge lists and adjacency lists, 0 or 1; nothing: as the list itself tells.
+  std::optional<unsigned> base = {};
   FirstLine first_line = FirstLine::automatic;
   bool simplify = false;    ///< loops and parallel edges are dropped; else they are refused
   bool undirected = false;  ///< arcs are read as edges; else they are refused
@@ -42,10 +44,23 @@ class GraphParser {
   virtual std::optional<Graph> next() = 0;
   /// The vertices' names in the graph just given; empty if the file has none but numbers.
   virtual std::vector<std::string> names() const { return {}; }
+  /// What has been assumed since the last call, a line each: "FILE:LINE: ids are from 1".
+  std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
  protected:
+  /// Notes what has been assumed; line 0: of the whole file.
+  void note(std::uint64_t line, const std::string& text) {
+    constexpr std::size_t kMost = 8;
+    if (notes_.size() == kMost) return;  // a line a graph says no more
+    notes_.push_back(line == 0 ? fmt::format("{}: {}", input_.name(), text)
+                               : fmt::format("{}:{}: {}", input_.name(), line, text));
+  }
+
   TextInput& input_;
   ReadOptions options_;  // a copy: the caller's may be a temporary
+
+ private:
+  std::vector<std::string> notes_;
 };
 
 /// Writes a graph behind those before it; does not commit the output.
@@ -55,12 +70,19 @@ using GraphWriter = std::function<void(const Graph&)>;
 struct InputHead {
   std::string_view text;
   bool whole = false;  ///< the text is all there is
-  /// The file's ending says "edge list", which lines of numbers alone do not tell from METIS.
-  bool is_named_edge_list = false;
+  /// The format that the file's ending says, which decides where the content leaves a choice.
+  std::string_view ending = {};
+  bool is_list = false;  ///< options of lists are given: no other format of numbers is meant
+  std::string_view body = text;  ///< from the first line on that is neither blank nor a comment
 };
 
-/// Does the file's ending say "edge list"? ".txt" says nothing.
-bool is_named_edge_list(const std::string& name);
+/// The name of the format that the file's ending says; empty if it says none, as ".txt".
+std::string_view told_format(std::string_view name);
+
+/// @throws InputError where the text is no graph but what stands in its place (a page of HTML, an
+/// archive, a pointer of git-lfs), or of a format that others read, with what converts it; by the
+/// ending alone not if the format is forced.
+void refuse_foreign(TextInput& input, bool is_forced);
 
 /// One row of the catalogue of graph formats. Every format holds many graphs a file.
 struct GraphFormat {

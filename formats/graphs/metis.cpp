@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/arc_collector.h"
 #include "ar3d/formats/graphs/plain_lines.h"
 #include "ar3d/formats/text/output.h"
@@ -155,13 +156,48 @@ std::optional<std::string_view> take_line(std::string_view& text, bool whole) {
   return std::nullopt;
 }
 
-/// Tells METIS files from edge lists, both being lines of numbers. METIS if the text begins with
-/// our mark, or if it can be METIS (a header with n >= 1 and ids 1 to n in the lines after it, as
-/// far as they are seen) and cannot be an edge list: a line has not two numbers, or the first edge
-/// would be the loop (n, n). A text that can be neither passes for an edge list.
+/// What the lines behind the header of a text tell.
+struct MetisFit {
+  bool ids_fit = true;       ///< they are from 1 to n
+  bool is_whole = false;     ///< a line for each vertex, each edge at both of its ends, m of them
+  bool may_be_edges = true;  ///< each line has two numbers, or none, and no pair stands twice
+};
+
+MetisFit metis_fit(std::string_view text, bool whole, std::uint64_t n, std::uint64_t m) {
+  using Arc = std::pair<std::uint64_t, std::uint64_t>;
+  MetisFit fit;
+  std::vector<Arc> arcs, pairs;
+  std::uint64_t rows = 0;
+  for (auto line = take_line(text, whole); line && rows < n; line = take_line(text, whole)) {
+    const auto row = numbers_of(*line);
+    if (!row) return {false};
+    ++rows;
+    for (const std::uint64_t id : *row) {
+      fit.ids_fit = fit.ids_fit && id >= 1 && id <= n;
+      arcs.emplace_back(rows, id);
+    }
+    if (row->size() == 2)
+      pairs.emplace_back(std::min(row->at(0), row->at(1)), std::max(row->at(0), row->at(1)));
+    if (row->size() != 2 && !row->empty()) fit.may_be_edges = false;
+  }
+  std::ranges::sort(pairs);
+  fit.may_be_edges = fit.may_be_edges && std::ranges::adjacent_find(pairs) == pairs.end();
+  std::vector<Arc> back;
+  for (const auto& [u, v] : arcs) back.emplace_back(v, u);
+  std::ranges::sort(arcs);
+  std::ranges::sort(back);
+  const bool has_loop =
+      std::ranges::any_of(arcs, [](const Arc& arc) { return arc.first == arc.second; });
+  fit.is_whole = !has_loop && (!whole || (rows == n && arcs == back && arcs.size() == 2 * m));
+  return fit;
+}
+
+/// Tells METIS files from edge lists, both being lines of numbers: by our mark, or if only one of
+/// them fits, else by the ending. A text that can be neither passes for an edge list.
+/// @throws InputError, without the file's name, if both fit and the ending says nothing.
 bool looks_like_metis(const InputHead& head) {
   if (head.text.starts_with(kMetisMark)) return true;
-  if (head.is_named_edge_list) return false;
+  if (head.is_list) return false;
   std::string_view text = head.text;
   std::optional<std::string_view> line = take_line(text, head.whole);
   while (line && is_blank(*line)) line = take_line(text, head.whole);
@@ -170,24 +206,17 @@ bool looks_like_metis(const InputHead& head) {
   if (!header || header->size() < 2 || header->size() > 4) return false;
   const std::uint64_t n = header->front();
   const std::uint64_t m = header->at(1);
-  const bool plain = header->size() == 2;
-  if (n == 0) return m == 0 && !plain;  // "0 0" is a loop of an edge list
-  if (m == 0 && plain) return false;    // the edge (n, 0), or a header: the edge list's to ask
-  bool edge_list = plain && n != m;     // it can be one, too
-  std::uint64_t rows = 0;
-  for (line = take_line(text, head.whole); line && rows < n; line = take_line(text, head.whole)) {
-    const auto row = numbers_of(*line);
-    if (!row) return false;
-    ++rows;
-    if (plain &&
-        !std::all_of(row->begin(), row->end(), [&](auto id) { return id >= 1 && id <= n; })) {
-      return false;
-    }
-    if (!row->empty() && row->size() != 2) edge_list = false;
+  if (header->size() > 2) {  // with weights; or an edge with one
+    const bool is_format =
+        fmt::format("{}", header->at(2)).find_first_not_of("01") == std::string::npos;
+    return is_format && head.ending != "edgelist" && (n > 0 || m == 0);
   }
-  if (m == 0)
-    return rows == n || !head.whole;  // nothing but blank lines: all of them, or an edge (n, 0)
-  return !edge_list;
+  if (n == 0 || m == 0) return false;  // a loop or an edge of an edge list, or its header
+  const MetisFit fit = metis_fit(text, head.whole, n, m);
+  if (!fit.ids_fit) return false;
+  if (!fit.may_be_edges || head.ending == "metis") return true;
+  if (!fit.is_whole || head.ending == "edgelist") return false;
+  throw InputError("this may be METIS or an edge list: --from metis or --from edgelist says which");
 }
 
 }  // namespace

@@ -20,16 +20,17 @@ class NautyParser final : public GraphParser {
 
   std::optional<Graph> next() override {
     while (const std::optional<std::string_view> line = input_.next_line()) {
-      const std::size_t begin = after_file_header(*line);
-      if (!is_blank(line->substr(begin))) return decode(*line, begin);
+      const std::size_t begin = after_header(*line);
+      if (!is_blank(line->substr(begin)) && !is_comment(*line)) return decode(*line, begin);
     }
     return std::nullopt;
   }
 
  private:
-  /// Returns where the graph begins: behind a header of the first line, such as ">>graph6<<".
-  std::size_t after_file_header(std::string_view line) const {
-    if (input_.line() != 1 || !line.starts_with(">>")) return 0;
+  /// Returns where the graph begins: behind a header such as ">>graph6<<", which files that have
+  /// been joined have in the middle, too.
+  std::size_t after_header(std::string_view line) const {
+    if (!line.starts_with(">>")) return 0;
     for (const std::string_view header : {">>graph6<<", ">>sparse6<<", ">>digraph6<<"}) {
       if (line.starts_with(header)) return header.size();
     }
@@ -98,18 +99,25 @@ GraphWriter incremental_writer(OutputFile& output, unsigned) {
 /// The first line is one word that begins with a character of graph6 (so it is not made of
 /// numbers).
 bool looks_like_graph6(const InputHead& head) {
-  if (head.text.starts_with(">>")) return !head.text.starts_with(">>sparse6");
-  const std::string_view line = head.text.substr(0, head.text.find_first_of("\r\n"));
+  if (head.body.starts_with(">>")) return !head.body.starts_with(">>sparse6");
+  const std::string_view line = head.body.substr(0, head.body.find_first_of("\r\n"));
   return !line.empty() && ((line[0] >= '?' && line[0] <= '~') || line[0] == '&') &&
-         line.find_first_of(" \t,;") == std::string_view::npos && line != "LEDA.GRAPH";
+         line.find_first_of(" \t,;") == std::string_view::npos && head.ending != "adjlist";
+}
+
+bool is_one_word(std::string_view body) {
+  return body.substr(0, body.find_first_of("\r\n")).find_first_of(" \t") == std::string_view::npos;
 }
 
 bool looks_like_sparse6(const InputHead& head) {
-  return head.text.starts_with(">>sparse6") || head.text.starts_with(':');
+  return head.body.starts_with(">>sparse6") ||
+         (head.body.starts_with(':') && is_one_word(head.body));
 }
 
 /// A first line that is an increment has nothing to change; the parser says so.
-bool looks_like_increment(const InputHead& head) { return head.text.starts_with(';'); }
+bool looks_like_increment(const InputHead& head) {
+  return head.body.starts_with(';') && is_one_word(head.body);
+}
 
 }  // namespace
 

@@ -1,12 +1,16 @@
 // The words of GML and DOT, and the graph that they gather. Nothing here recurses with the text.
 #include "ar3d/formats/graphs/word_text.h"
 
+#include <cctype>
+
 #include "ar3d/base/error.h"
 #include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {
 namespace {
-constexpr std::string_view kMarks = "[]{};,=:+";
+constexpr std::string_view kGmlMarks = "[]";
+constexpr std::string_view kGmlEnds("[]\" \t\r\n\v\f\0", 10);
+constexpr std::string_view kDotMarks = "[]{};,=:+";
 }  // namespace
 
 void WordText::fail(std::size_t at, const std::string& message) const {
@@ -46,7 +50,7 @@ void WordText::skip_blanks() {
     const bool at_line = next_ == 0 || text_[next_ - 1] == '\n';
     if (is_blank(rest.substr(0, 1)) || rest[0] == '\n') {
       ++next_;
-    } else if ((rest[0] == '#' && at_line) || (is_dot_ && rest.starts_with("//"))) {
+    } else if ((rest[0] == '#' && (at_line || is_dot_)) || (is_dot_ && rest.starts_with("//"))) {
       next_ = std::min(text_.find('\n', next_), text_.size());
     } else if (is_dot_ && rest.starts_with("/*")) {
       const std::size_t end = text_.find("*/", next_ + 2);
@@ -73,6 +77,9 @@ std::string WordText::quoted() {
       ++next_;
     } else if (is_escape && text_[next_ + 1] == '"') {
       text += text_[++next_];
+    } else if (is_escape && text_[next_ + 1] == '\\') {  // both stay
+      text += c;
+      text += text_[++next_];
     } else {
       text += c;
     }
@@ -94,27 +101,53 @@ std::string WordText::html() {
   fail(begin, "a < without its >");
 }
 
+// Letters and digits, or a number, as Graphviz cuts them ("a-1" is a and -1); but "1a" and "1.5.2",
+// which it splits with a warning, are refused.
+std::string_view WordText::dot_id(std::string_view rest) const {
+  const auto is_letter = [](char c) {
+    return c == '_' || std::isalpha(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0;
+  };
+  const auto end_of = [&](std::size_t at, const auto& is_part) {
+    while (at < rest.size() && is_part(rest[at])) ++at;
+    return at;
+  };
+  if (is_letter(rest[0])) {
+    return rest.substr(0, end_of(1, [&](char c) { return is_letter(c) || is_digit(c); }));
+  }
+  const std::size_t first = rest[0] == '-' ? 1 : 0;
+  std::size_t end = end_of(first, is_digit);
+  std::size_t digits = end - first;
+  if (end < rest.size() && rest[end] == '.') {
+    const std::size_t point = end++;
+    end = end_of(end, is_digit);
+    digits += end - point - 1;
+  }
+  if (digits == 0) fail(next_, fmt::format("{} begins no word of DOT", shown(rest.substr(0, 1))));
+  if (end < rest.size() && (is_letter(rest[end]) || rest[end] == '.')) {
+    fail(next_, fmt::format("{} is no number: other names that begin with a digit stand in quotes",
+                            shown(rest.substr(0, end + 1))));
+  }
+  return rest.substr(0, end);
+}
+
 TextWord WordText::read() {
+  const std::string_view marks = is_dot_ ? kDotMarks : kGmlMarks;
   skip_blanks();
   TextWord word{TextWord::Kind::end, "", next_};
   if (next_ == text_.size()) return word;
   const std::string_view rest = std::string_view(text_).substr(next_);
   const bool is_edge = is_dot_ && (rest.starts_with("--") || rest.starts_with("->"));
-  if (is_edge || kMarks.find(rest[0]) != std::string_view::npos) {
+  if (is_edge || marks.find(rest[0]) != std::string_view::npos) {
     word = {TextWord::Kind::mark, std::string(rest.substr(0, is_edge ? 2 : 1)), next_};
     next_ += word.text.size();
   } else if (rest[0] == '"' || (is_dot_ && rest[0] == '<')) {
     ++next_;
     word.kind = TextWord::Kind::quoted;
-    word.text = rest[0] == '"' ? quoted() : html();
+    word.is_html = rest[0] == '<';
+    word.text = word.is_html ? html() : quoted();
   } else {
-    const auto ends = [&](char c) {
-      return is_blank({&c, 1}) || c == '\n' || c == '"' || c == '\0' ||
-             kMarks.find(c) != std::string_view::npos || (is_dot_ && (c == '-' || c == '<'));
-    };
-    const auto end = std::find_if(rest.begin() + 1, rest.end(), ends);
     word.kind = TextWord::Kind::plain;
-    word.text.assign(rest.begin(), end);
+    word.text = is_dot_ ? dot_id(rest) : rest.substr(0, rest.find_first_of(kGmlEnds, 1));
     next_ += word.text.size();
   }
   return word;
@@ -131,6 +164,22 @@ Vertex GatheredGraph::vertex(std::string_view id) {
 void GatheredGraph::join(Vertex u, Vertex v, std::size_t at) {
   edges_.push_back({u, v});
   places_.push_back(at);
+}
+
+bool GatheredGraph::is_joined_to_first_edge() const {
+  const auto joins = [&](const Edge& edge) {
+    return std::min(edge.u, edge.v) <= std::max(edges_[0].u, edges_[0].v);
+  };
+  return std::any_of(edges_.begin() + 1, edges_.end(), joins);
+}
+
+void GatheredGraph::drop_first_edge() {
+  GatheredGraph rest;
+  for (std::size_t e = 1; e < edges_.size(); ++e) {
+    const Vertex u = rest.vertex(texts_[edges_[e].u]);
+    rest.join(u, rest.vertex(texts_[edges_[e].v]), places_[e]);
+  }
+  *this = std::move(rest);
 }
 
 Graph GatheredGraph::finish(const ReadOptions& options, bool merge,

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ar3d/formats/graphs/graph_format.h"
@@ -16,8 +17,9 @@ namespace ar3d {
 struct TextWord {
   enum class Kind { end, plain, quoted, mark };
   Kind kind = Kind::end;
-  std::string text;    ///< without quotes; a mark is one of [ ] { } ; , = : + and, in DOT, -- ->
-  std::size_t at = 0;  ///< byte of the text
+  std::string text;      ///< without quotes; a mark is one of [ ] { } ; , = : + and, in DOT, -- ->
+  std::size_t at = 0;    ///< byte of the text
+  bool is_html = false;  ///< stood in < and >
   bool is(std::string_view mark) const { return kind == Kind::mark && text == mark; }
   bool is_name() const { return kind == Kind::plain || kind == Kind::quoted; }
 };
@@ -44,6 +46,7 @@ class WordText {
   TextWord read();
   std::string quoted();
   std::string html();
+  std::string_view dot_id(std::string_view rest) const;
 
   TextInput* input_;
   bool is_dot_;
@@ -60,12 +63,17 @@ class GatheredGraph {
   /// The vertex of that id; a new one if there is none.
   Vertex vertex(std::string_view id);
   std::optional<Vertex> find(std::string_view id) const { return ids_.find(id); }
+  const std::string& id(Vertex v) const { return texts_[v]; }
   /// A name to show instead of the id.
   void set_name(Vertex v, std::string name) { names_[v] = std::move(name); }
   /// An edge that stands at that byte.
   void join(Vertex u, Vertex v, std::size_t at);
   std::size_t num_vertices() const { return ids_.size(); }
   std::size_t num_edges() const { return edges_.size(); }
+  /// Has another edge one of the ends of the first one?
+  bool is_joined_to_first_edge() const;
+  /// Takes the first edge back, and its ends, which must be in no other.
+  void drop_first_edge();
   /// @param fail  throws InputError for a loop or a parallel edge, unless they are dropped, with
   /// its place. @param merge  parallel edges are one.
   Graph finish(const ReadOptions& options, bool merge,

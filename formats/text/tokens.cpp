@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <system_error>
 
@@ -35,14 +36,20 @@ std::optional<std::string_view> next_telling_line(TextInput& input) {
   return line;
 }
 
-std::optional<Tokens> size_header(const TextInput& input, std::string_view line) {
-  if (line.empty() || (!is_comment(line) && line[0] != 'n')) return std::nullopt;
+std::optional<SizeLine> size_line(const TextInput& input, std::string_view line) {
+  if (!is_comment(line)) return std::nullopt;
   Tokens tokens(input, line);
-  const std::string_view first = tokens.word();
-  if (first == "n") return tokens;
-  if (first != "#" && first != "%") return std::nullopt;
-  if (tokens.word() != "vertices") return std::nullopt;
-  return tokens;
+  if (tokens.word().size() != 1 || tokens.word() != "vertices") return std::nullopt;
+  Tokens number = tokens;
+  const std::string_view digits = number.word();
+  if (digits.empty() || !std::ranges::all_of(digits, is_digit)) return std::nullopt;
+  SizeLine sizes{tokens.number("a number of vertices")};
+  if (tokens.done()) return sizes;
+  const bool is_from = tokens.word() == "from";
+  const std::string_view base = tokens.word();
+  if (!is_from || (base != "0" && base != "1") || !tokens.done()) return std::nullopt;
+  sizes.base = base == "1" ? 1 : 0;
+  return sizes;
 }
 
 }  // namespace ar3d

@@ -35,11 +35,6 @@ inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_blank(std::string_view line) {
   return line.find_first_not_of(" \t\r\v\f") == std::string_view::npos;
 }
-/// True if the line's first word is no number: then it is a name, and all ids are names.
-inline bool begins_with_name(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(" \t");
-  return first != std::string_view::npos && !is_digit(line[first]) && line[first] != '-';
-}
 /// True if the text begins with # or %.
 inline bool is_comment(std::string_view text) {
   return !text.empty() && (text[0] == '#' || text[0] == '%');
@@ -102,8 +97,12 @@ class Tokens {
 /// The next line that is neither blank nor a comment; nothing at the end.
 std::optional<std::string_view> next_telling_line(TextInput& input);
 
-/// The words of a line "# vertices N", "% vertices N" or "n N" behind its keyword; nothing for
-/// other lines.
-std::optional<Tokens> size_header(const TextInput& input, std::string_view line);
+/// A line "# vertices N" or "% vertices N", which begins a graph, with "from 0" or "from 1" behind
+/// it or without; nothing for other lines.
+struct SizeLine {
+  std::uint64_t n = 0;
+  std::optional<unsigned> base = {};  ///< the smallest id
+};
+std::optional<SizeLine> size_line(const TextInput& input, std::string_view line);
 
 }  // namespace ar3d

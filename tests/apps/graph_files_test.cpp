@@ -341,7 +341,7 @@ TEST_F(GraphFiles, TheCommandLineSaysHowAnEdgeListIsRead) {
   const Outcome from_one = run(study("run -q" + rest + "one.edges"));
   EXPECT_THAT(from_one.err, HasSubstr("--base 1 --first-line header"));
   for (const char* how : {"h43.edges --first-line header", "one.edges --base 1 --first-line header",
-                          "one.edges --from edgelist --first-line edge"}) {
+                          "one.edges --from edgelist --base 0 --first-line edge"}) {
     expect_exit(0, run(study("run -q" + rest + how)));
     const bool is_header = std::string(how).find("header") != std::string::npos;
     EXPECT_EQ(read_results(path("a.h5")).runs.at(0).n, is_header ? 4 : 5) << how;

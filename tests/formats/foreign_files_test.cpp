@@ -37,7 +37,6 @@ std::vector<Written> graphs() {
             "networkx-latin1.graphml",
             "networkx-prefixed.graphml",
             "igraph.edgelist",
-            "igraph-plain.ncol",
             "igraph.graphml",
             "igraph-rich.graphml",
             "networkx.adjlist",
@@ -64,14 +63,17 @@ const std::map<std::string, std::string> kRefused = {
     {"igraph-directed.graphml",
      ":7:3: edgedefault is 'directed': only undirected graphs are read (--undirected drops "
      "directions)"},
-    {"networkx-multiline.adjlist", ":5:3: expected a vertex id, found '{}'"},
+    {"networkx-multiline.adjlist", ":5:3: '{}' is no name of a list of networkx"},
     {"networkx.gexf",
      ":1: this is GEXF, which is not read; examples/convert.py makes GraphML of it: "
      "networkx.write_graphml(networkx.Graph(networkx.read_gexf(FILE)), OUTPUT)"},
     {"networkx.net", kPajek},
     {"igraph.net", kPajek},
-    {"igraph.lgr", ":1: this is no graph format known here: 'LEDA.GRAPH'"},
-    {"igraph.lgl", ":2:1: expected a vertex id, found 'v1'"},
+    {"igraph.lgr",
+     ":1: this is LEDA, which is not read; networkx reads it: read_leda(FILE), then write_graphml"},
+    {"igraph.lgl",
+     ":1: this is LGL by its ending, which is not read; igraph reads it: "
+     "Graph.Read_Lgl(FILE).write_graphml(OUTPUT)"},
     {"igraph-matrix.adjacency", ":1:5: unexpected '0' after the edge"},
     {"igraph.dimacs", ":2:3: only 'edge', 'col' and 'sp' are supported here, found 'max'"},
 };
@@ -86,6 +88,10 @@ TEST(ForeignFiles, AreTheGraphsThatTheyHold) {
   }
   GraphReader named(path_of("igraph.ncol"));
   named.next();
+  GraphReader numbers(path_of("igraph-plain.ncol"));
+  EXPECT_EQ(numbers.next()->num_edges(), 15u);
+  EXPECT_THAT(numbers.names(), ElementsAre("0", "1", "4", "5", "2", "6", "3", "7", "8", "9"))
+      << "igraph's ids are names even where they are numbers";
   EXPECT_THAT(named.names(),
               ElementsAre("v0", "v1", "v4", "v5", "v2", "v6", "v3", "v7", "v8", "v9"));
 }
@@ -98,7 +104,7 @@ TEST(ForeignFiles, AreRefusedInOneClearLine) {
 }
 
 TEST(ForeignFiles, AreAllLookedAt) {
-  std::set<std::string> expected = {"igraph.ncol"};
+  std::set<std::string> expected = {"igraph.ncol", "igraph-plain.ncol"};
   for (const Written& written : graphs())
     expected.insert(written.files.begin(), written.files.end());
   for (const auto& refused : kRefused) expected.insert(refused.first);

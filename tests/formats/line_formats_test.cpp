@@ -13,7 +13,9 @@ void expect_same_graphs(const std::string& text, std::size_t count, const Graph&
 }
 
 TEST(AdjacencyList, ReadsEdgesFromOneOrBothEnds) {
-  expect_same_graphs("# comment\n0: 1 2\n1 : 0\n2:\n5:0 \n", 1, Graph(6, {{0, 1}, {0, 2}, {0, 5}}));
+  const Graph expected(4, {{0, 1}, {0, 2}, {0, 3}});
+  expect_same_graphs("# comment\n0: 1 2\n1 :\n2:\n3:0 \n", 1, expected);
+  expect_same_graphs("0: 1 2 3\n1 : 0\n2:0\n3:0 \n", 1, expected);
 }
 
 TEST(AdjacencyList, ReadsNetworkxLinesWhenForced) {
@@ -22,17 +24,21 @@ TEST(AdjacencyList, ReadsNetworkxLinesWhenForced) {
 }
 
 TEST(AdjacencyList, RefusesWithPlaceAndValue) {
-  expect_refusals(
-      {{"0: 1\n1: x\n", "f:2:4: expected a vertex id, found 'x'"},
-       {"0: 1\n1 2: 3\n", "f:2:3: unexpected '2' after the vertex before the colon"},
-       {"0: 1\n1: 0\n1: 0\n", "f:3: (1, 0) stands twice"},
-       {"0: 1 1\n", "f:1: (0, 1) stands twice"},
-       {"0: 1 0\n", "f:1:6: edge (0, 0) is a loop"},
-       {"# vertices 2\n0: 1 2\n", "f:2:6: vertex id 2 is out of range, the graph has 2 vertices"}});
-  EXPECT_EQ(refusal("1: 2 0\n", {.base = 1}), "f:1:6: vertex id 0 is below 1, the smallest here");
-  EXPECT_EQ(refusal("0: 4000000000\n"),
-            "f:1: 4000000001 vertices claimed by a graph of 0 bytes, which accounts for at most "
-            "1048576; --trust-sizes believes it");
+  expect_refusals({{"0: 1\n1: x\n", "f:2:4: expected a vertex id, found 'x'"},
+                   {"0: 1\n1 2: 3\n", "f:2:3: unexpected '2' after the vertex before the colon"},
+                   {"0: 1\n1: 0\n1: 0\n",
+                    "f:3:1: a second line of this vertex, after line 2: a file of several graphs "
+                    "has '# vertices "
+                    "N' before each"},
+                   {"0: 1 1\n1:\n", "f:1: (0, 1) stands twice"},
+                   {"0: 1 0\n", "f:1:6: edge (0, 0) is a loop"},
+                   {"# vertices 2\n0: 1 2\n1:\n2:\n",
+                    "f:1: 2 vertices stated, 3 have a line: is the list cut "
+                    "short?"}});
+  EXPECT_EQ(refusal("0: 1\n1:\n", {.base = 1}), "f:2: the lines are not those of vertices 1 to 2");
+  EXPECT_EQ(refusal("4000000000: 1\n"),
+            "f:1:1: 4000000001 vertices claimed by a graph of 14 bytes, which accounts for at most "
+            "1048800; --trust-sizes believes it");
 }
 
 TEST(Dimacs, ReadsEdgesColoursAndArcs) {
@@ -46,7 +52,6 @@ TEST(Dimacs, ReadsEdgesColoursAndArcs) {
 TEST(Dimacs, RefusesWithPlaceAndValue) {
   expect_refusals(
       {{"p max 4 5\n", "f:1:3: only 'edge', 'col' and 'sp' are supported here, found 'max'"},
-       {"c x\ne 1 2\n", "f:2:1: expected 'p', found 'e'"},
        {"p edge 3 1\na 1 2\n", "f:2:1: expected 'c' or 'e', found 'a'"},
        {"p edge 3 x\n", "f:1:10: expected a number of edges, found 'x'"},
        {"p edge 3 2\ne 1 2\n", "f:2: 2 edges announced, found 1"},
@@ -160,6 +165,7 @@ TEST(Metis, IsToldFromEdgeLists) {
   EXPECT_TRUE(detected("3 2 001\n2 9 3 9\n"));  // weights
   EXPECT_FALSE(detected("2 0\n"));              // one edge
   EXPECT_FALSE(detected("3 5\n"));
+  EXPECT_EQ(refusal("c x\ne 1 2\n", {.format = "dimacs"}), "f:2:1: expected 'p', found 'e'");
   EXPECT_FALSE(detected("0 1\n1 2\n"));
   EXPECT_FALSE(detected("5 1\n1 2\n\n3 4\n"));
   EXPECT_FALSE(detected("3 2\n2\n1 7\n2\n"));  // 7 is no vertex

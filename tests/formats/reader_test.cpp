@@ -59,15 +59,19 @@ TEST(GraphReader, RefusesWhatHoldsNoGraph) {
   for (const char* text : {"# only\n# comments\n", "\n\n", ">>graph6<<\n"}) {
     EXPECT_EQ(refusal(text), "f: no graph in it, only comments or blank lines");
   }
-  EXPECT_EQ(refusal("\x80\x81"), "f:1: this is no graph format known here: '\\x80\\x81'");
-  EXPECT_EQ(refusal("hello world\n"), "f:1: this is no graph format known here: 'hello world'");
+  EXPECT_EQ(refusal("\x80\x81"),
+            "f:1: this is no graph format known here: '\\x80\\x81'; --from says which "
+            "one is meant");
+  EXPECT_EQ(
+      refusal("hello world\n"),
+      "f:1: this is no graph format known here: 'hello world'; --from says which one is meant");
 }
 
 TEST(GraphReader, FormatCanBeForced) {
   EXPECT_EQ(refusal("0 1\n", {.format = "graph6"}),
             "f:1:1: character '0' is not one of graph6 and sparse6 ('?' to '~')");
   EXPECT_EQ(refusal("DQc\n", {.format = "edgelist"}),
-            "f:1:1: expected a second name, the other end of the edge");
+            "f:1: expected two ends of an edge, found the end of the line");
   EXPECT_EQ(refusal("", {.format = "edgelist"}), "f: empty file: no graph in it");
   EXPECT_NE(
       refusal("DQc\n", {.format = "gif"}).find("unknown graph format 'gif', known: matrixmarket"),

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ar3d/formats/graphs/edge_collector.h"
+#include "ar3d/formats/graphs/list_rows.h"
+#include "ar3d/formats/graphs/word_text.h"
+
+namespace ar3d {
+
+/// How a list is written, as far as its name, the options and its first row tell.
+struct ListShape {
+  bool is_forced = false;  ///< by --from
+  bool is_told = false;    ///< by that, or by the file's ending
+  RowCut cut;
+  std::size_t columns = 0;            ///< that every row has; 0: two, maybe more
+  std::optional<EndColumns> heading;  ///< that says which columns are ends
+  std::size_t type_column = std::numeric_limits<std::size_t>::max();  ///< directed or not
+};
+
+/// Gathers the rows of an edge list and decides, when all are known, what the first one is, whether
+/// ids are numbers or names, from which number they count, and how many vertices there are.
+class ListGraph {
+ public:
+  using Note = std::function<void(std::uint64_t line, const std::string& text)>;
+  /// @param shape  may change as long as there is no row.
+  ListGraph(TextInput& input, const ReadOptions& options, const ListShape& shape, Note note)
+      : input_(&input),
+        options_(options),
+        shape_(&shape),
+        note_(std::move(note)),
+        edges_(input, options, options.base.value_or(0)) {}
+
+  /// Begins a graph. @param n  where a size line tells it. @param is_named  ids are names, whatever
+  /// they are.
+  void begin(std::optional<std::uint64_t> n, unsigned base, bool is_named);
+  /// Takes a row; its ends are ends in any list. @throws InputError if they are none in this one.
+  void add(const ListRow& row, const ListField& a, const ListField& b);
+  /// Takes lines of two numbers as fast as they can be read.
+  void read_plain_edges();
+  /// Ends the graph. @throws InputError if two readings fit, or none. O(m log m).
+  Graph finish();
+
+  StatedCounts& stated() { return stated_; }
+  std::uint64_t num_rows() const { return rows_; }
+  bool is_named() const { return is_named_; }
+  std::vector<std::string> names() const { return named_.names(); }
+
+  void note_heading(std::uint64_t line, const ListRow& row) const;
+
+ private:
+  /// The first row of a graph that no size line begins: an edge, a header "n m" or a heading.
+  struct First {
+    ListRow fields;
+    std::uint64_t line = 0;
+    std::uint64_t n = 0;  ///< both ends, if they are numbers
+    std::uint64_t m = 0;
+    std::string problem;         ///< why the numbers are no edge; empty: it is collected as one
+    EdgeCollector::Range range;  ///< of its edge
+  };
+
+  void look_at_columns(const ListRow& row, const ListField& a, const ListField& b);
+  void refuse_counted_rows() const;
+  void require_names(const ListField& a, const ListField& b) const;
+  void become_names(const ListField& a, const ListField& b);
+  void take_numbers_as_names();
+  static bool is_numbers(const First& first);
+  void join(const ListField& a, const ListField& b);
+  void read_numbers(const ListRow& row, const ListField& a, const ListField& b);
+  std::optional<std::uint64_t> number_of(const ListField& field) const;
+  void add_numbers(std::uint64_t u, const ListField& a, std::uint64_t v, const ListField& b);
+  void decide_heading();
+  void drop_heading(const First& first);
+  void decide_first_line();
+  void decide_ids();
+  void decide_ids_by_head(std::uint64_t n);
+  void settle(std::uint64_t n, unsigned base);
+  void settle_from_one(std::uint64_t n, std::uint64_t line);
+  void note_missing(std::uint64_t n, std::uint64_t line) const;
+
+  TextInput* input_;
+  ReadOptions options_;  // a copy: the caller's may be a temporary
+  const ListShape* shape_;
+  Note note_;
+  EdgeCollector edges_;
+  std::optional<std::uint64_t> known_n_;  // by a size line, or settled
+  std::uint64_t rows_ = 0;                // of edges, the first row among them
+  std::size_t most_fields_ = 0;           // of a row behind the first one
+  bool is_counted_ = false;               // the first of three columns counts the rows ...
+  std::uint64_t first_count_ = 0;         // ... from here
+  std::optional<First> first_;
+  StatedCounts stated_;
+  bool is_named_ = false;
+  GatheredGraph named_;  // instead of edges_, of a list of names
+};
+
+}  // namespace ar3d
