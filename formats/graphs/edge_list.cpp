@@ -89,7 +89,7 @@ class EdgeListParser final : public GraphParser {
                                    ".write_graphml(OUTPUT)",
                                    shown(line)));
       }
-    } else if (graph_.is_named() && (line[0] == '%' || word == 1)) {
+    } else if ((graph_.is_named() || shape_.cut.separator != 0) && (line[0] == '%' || word == 1)) {
       input_.fail(1, fmt::format("{} is a comment or begins with a name: a blank behind the # or "
                                  "quotes tell",
                                  shown(line)));
@@ -109,7 +109,8 @@ class EdgeListParser final : public GraphParser {
     const ListField& a = row[ends.source];
     const ListField& b = row[ends.target];
     for (const ListField* end : {&a, &b}) {
-      if (const auto problem = end_problem(*end)) input_.fail(end->column, *problem);
+      if (const auto problem = end_problem(*end, shape_.is_headed_table))
+        input_.fail(end->column, *problem);
     }
     refuse_row_names(row, a, b);
     graph_.add(row, a, b);
@@ -118,6 +119,7 @@ class EdgeListParser final : public GraphParser {
   /// True if the first row is a heading and no edge; else it may still be one.
   bool read_heading(const ListRow& row) {
     const std::optional<EndColumns> known = ends_of_heading(row);
+    shape_.is_headed_table = known && shape_.cut.separator != 0;
     shape_.columns = shape_.cut.separator != 0 ? row.size() : 0;
     const bool may_be_edge = row.size() == 2 || (row.size() == 3 && is_attribute(row[2]));
     if (may_be_edge || !known || options_.first_line == FirstLine::edge) return false;

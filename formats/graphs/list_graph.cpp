@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* kInAStudy = "in a study the keys base and first_line";
 constexpr const char* kBothBases =
-    "no line names vertex 0: --base 1 reads ids from 1, --base 0 keeps a vertex 0 without an edge "
-    "(in a study the key base)";
+    "no line names vertex 0, nor some others: --base 1 reads ids from 1, --base 0 keeps a vertex 0 "
+    "without an edge (in a study the key base)";
 
 }  // namespace
 
@@ -39,7 +39,8 @@ void ListGraph::read_plain_edges() {
 void ListGraph::add(const ListRow& row, const ListField& a, const ListField& b) {
   look_at_columns(row, a, b);
   if (!is_named_ && !(is_whole_number(a.text) && is_whole_number(b.text))) {
-    if (rows_ == 0 && !known_n_) {  // kept until the other rows have told what it is
+    if (rows_ == 0 && !known_n_ &&
+        !shape_->heading) {  // kept until the other rows have told what it is
       first_ = First{row, input_->line(), 0, 0, {}, {}};
       rows_ = 1;
       return require_names(a, b);
@@ -129,8 +130,8 @@ bool ListGraph::is_numbers(const First& first) {
 
 void ListGraph::join(const ListField& a, const ListField& b) {
   for (const ListField* end : {&a, &b}) {
-    const std::size_t odd = end->text.find_first_of(shape_->cut.separator == 0 ? ",;#" : "#");
-    if (end->is_quoted || odd == std::string::npos) continue;
+    const std::size_t odd = end->text.find_first_of(",;#");
+    if (shape_->cut.separator != 0 || end->is_quoted || odd == std::string::npos) continue;
     const bool is_cut = end->text[odd] == '#' || odd == 0 || odd + 1 == end->text.size();
     if (is_cut) {
       input_->fail(end->column, fmt::format("{} may be a name or not all of it be one: quotes tell",
@@ -215,7 +216,9 @@ Graph ListGraph::finish() {
 void ListGraph::decide_heading() {
   const First first = *std::exchange(first_, std::nullopt);
   const bool is_above_numbers = !is_named_;
-  const bool is_edge = first.fields.size() > 2 && !first.fields[2].text.empty();
+  const bool is_edge = (first.fields.size() > 2 && !first.fields[2].text.empty()) ||
+                       is_whole_number(first.fields[0].text) ||
+                       is_whole_number(first.fields[1].text);
   const bool wants_edge = options_.first_line == FirstLine::edge;
   const bool wants_heading = options_.first_line == FirstLine::header;
   if (is_above_numbers) {
@@ -238,7 +241,8 @@ void ListGraph::decide_heading() {
     return drop_heading(first);
   }
   if (wants_edge || is_edge || is_joined || shape_->is_forced) return;
-  if (is_alone && (shape_->cut.separator != 0 || shape_->cut.has_quotes)) return;
+  const bool is_known = ends_of_heading(first.fields).has_value();
+  if (is_alone && !is_known && (shape_->cut.separator != 0 || shape_->cut.has_quotes)) return;
   const std::string words = fmt::format("'{} {}'", first.fields[0].text, first.fields[1].text);
   if (is_alone) {
     input_->fail_at(first.line, 0,
@@ -325,6 +329,7 @@ void ListGraph::decide_ids() {
     return;
   }
   if (stated_.is_konect) return settle_from_one(range.end - 1, 1);
+  if (from_one == 1 && named == range.end - 1) return settle_from_one(named, 0);
   if (from_one == 1) input_->fail(0, kBothBases);
   note_missing(range.end, 0);
 }

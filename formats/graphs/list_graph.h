@@ -19,6 +19,7 @@ struct ListShape {
   RowCut cut;
   std::size_t columns = 0;            ///< that every row has; 0: two, maybe more
   std::optional<EndColumns> heading;  ///< that says which columns are ends
+  bool is_headed_table = false;       ///< the first row of a table may be such a heading
   std::size_t type_column = std::numeric_limits<std::size_t>::max();  ///< directed or not
 };
 

@@ -208,7 +208,7 @@ bool is_attribute(const ListField& field) {
   return field.text.empty() || field.text.starts_with('{') || is_list_number(field.text);
 }
 
-std::optional<std::string> end_problem(const ListField& field) {
+std::optional<std::string> end_problem(const ListField& field, bool is_headed) {
   const std::string& text = field.text;
   if (text.empty()) return "an end of an edge is missing";
   if (field.is_quoted || is_whole_number(text)) return std::nullopt;
@@ -225,7 +225,7 @@ std::optional<std::string> end_problem(const ListField& field) {
         "zeros in front (in quotes it is a name)",
         shown(text));
   }
-  if (!has_whole_brackets(text)) {
+  if (!is_headed && !has_whole_brackets(text)) {
     return fmt::format("{} is a piece of a printed list or tuple: an edge is 'u v' or 'u,v'",
                        shown(text));
   }

@@ -48,7 +48,8 @@ bool is_whole_number(std::string_view text);
 /// True for what stands behind an edge: attributes, a weight, or nothing between two separators.
 bool is_attribute(const ListField& field);
 /// Why that field is no end of an edge in any list; nothing if it may be one.
-std::optional<std::string> end_problem(const ListField& field);
+/// @param is_headed  in a table whose heading names the ends: brackets are those of a name.
+std::optional<std::string> end_problem(const ListField& field, bool is_headed = false);
 
 /// The counts of vertices and edges that a comment at a list's head states.
 struct StatedCounts {

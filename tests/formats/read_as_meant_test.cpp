@@ -55,8 +55,8 @@ const std::vector<MeantFile> kFiles = {
     {"row-names.csv", "\"\",\"from\",\"to\"\n\"1\",0,1\n\"2\",1,2\n\"3\",2,3\n",
      "4 3 | row-names.csv:1: 'from to' is a heading, no edge"},
     {"heading-other.csv", "\"V1\",\"V2\"\n1,2\n2,3\n",
-     "heading-other.csv:3: no line names vertex 0: --base 1 reads ids from 1, --base 0 keeps a "
-     "vertex 0 without an edge (in a study the key base)"},
+     "3 2 | heading-other.csv:1: 'V1 V2' is a heading, no edge | heading-other.csv: ids are from 1 "
+     "to 3"},
     {"heading-u-v.edgelist", "u v\n0 1\n1 2\n",
      "3 2 | heading-u-v.edgelist:1: 'u v' is a heading, no edge"},
     {"heading-tab.edgelist", "source\ttarget\na\tb\nb\tc\n",
@@ -210,9 +210,7 @@ const std::vector<MeantFile> kFiles = {
      "list-of-pairs.edges:1: this is JSON, which is not read; write an edge as 'u v' on a line"},
     {"one-id.edges", "0 1\n2\n",
      "one-id.edges:2: expected two ends of an edge, found the end of the line"},
-    {"ids-from-one.edges", "1 2\n2 3\n3 1\n",
-     "ids-from-one.edges:3: no line names vertex 0: --base 1 reads ids from 1, --base 0 keeps a "
-     "vertex 0 without an edge (in a study the key base)"},
+    {"ids-from-one.edges", "1 2\n2 3\n3 1\n", "3 3 | ids-from-one.edges: ids are from 1 to 3"},
     {"ids-from-one.edges", "1 2\n2 3\n3 1\n", "3 3", {.base = 1}},
     {"ids-from-one.edges",
      "1 2\n2 3\n3 1\n",
@@ -237,8 +235,8 @@ const std::vector<MeantFile> kFiles = {
     {"nodes-with-gaps.txt", "# Nodes: 3 Edges: 2\n5\t7\n7\t90\n",
      "3 2 | nodes-with-gaps.txt:1: ids up to 90 of 3 vertices are names"},
     {"nodes-either-way.txt", "# Nodes: 5 Edges: 2\n1\t2\n2\t4\n",
-     "nodes-either-way.txt:3: no line names vertex 0: --base 1 reads ids from 1, --base 0 keeps a "
-     "vertex 0 without an edge (in a study the key base)"},
+     "nodes-either-way.txt:3: no line names vertex 0, nor some others: --base 1 reads ids from 1, "
+     "--base 0 keeps a vertex 0 without an edge (in a study the key base)"},
     {"nodes-of-names.edges", "# nodes: 4\na b\nb c\n",
      "nodes-of-names.edges:1: 4 vertices stated, but the edges have 3 names"},
     {"bipartite.txt", "% bip unweighted\n1 2\n",
@@ -355,7 +353,7 @@ TEST(FilesAsPeopleHaveThem, AreReadAsMeantOrRefused) {
 TEST(FilesAsPeopleHaveThem, AreRefusedInOneLineThatNamesTheFile) {
   for (const MeantFile& file : kFiles) {
     EXPECT_EQ(std::ranges::count(file.meant, '\n'), 0) << file.meant;
-    const bool is_read = is_digit(file.meant[0]) && file.meant.find(' ') < 3;
+    const bool is_read = file.meant[0] < ':' && file.meant.find(' ') < 3;
     EXPECT_TRUE(is_read || file.meant.starts_with(std::string(file.name) + ":")) << file.meant;
   }
 }

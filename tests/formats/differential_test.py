@@ -1,0 +1,342 @@
+"""Files that networkx, igraph, pandas, scipy and Graphviz write, and R by hand, as they are and mutated in a byte, a field or a
+line: each is read as the reference program reads it, or refused. differential_test.py AR3D CLASS, AR3D_READ_MANY the reader."""
+import collections
+import csv
+import html
+import io
+import json
+import os
+import random
+import subprocess
+import tempfile
+import unittest
+import warnings
+
+import igraph
+import networkx
+import pandas
+import scipy.io
+import scipy.sparse
+
+LETTERS = "abcdefgxyzAZ019_äß名"
+ODD = LETTERS + "\"':,;-+.#(){}[]%&<>\\/ "
+Graph = collections.namedtuple("Graph", "vertices edges")  # names, and pairs of names as frozensets
+
+
+def of_networkx(graph):
+    """The graph by its names; nothing if it has loops or parallel edges, which are refused."""
+    edges = [frozenset(map(str, edge[:2])) for edge in graph.edges()]
+    if graph.is_directed() or len(set(edges)) < len(edges) or any(len(edge) < 2 for edge in edges):
+        return None
+    return Graph({str(v) for v in graph}, set(edges))
+
+
+def sampled(rng, ids, m):
+    edges = set()
+    for _ in range(m):
+        u, v = rng.sample(ids, 2)
+        edges.add((u, v) if rng.random() < .5 and (v, u) not in edges else (v, u) if (u, v) not in edges else (u, v))
+    return sorted(edges, key=lambda _: rng.random())
+
+
+class Source:
+    """Random graphs: ids from 0 or 1, with gaps, or names; a few vertices alone."""
+
+    def __init__(self, rng):
+        self.rng = rng
+        n = rng.randint(2, 12)
+        self.numbers = rng.random() < .5
+        if self.numbers:
+            first = 1 if rng.random() < .1 else 0
+            self.ids = list(range(first, first + n))
+        else:
+            names = {"".join(rng.choice(LETTERS) for _ in range(rng.randint(1, 6))) for _ in range(n)} | {"aa", "b"}
+            self.ids = sorted(names)
+        self.edges = sampled(rng, self.ids, rng.randint(1, 2 * len(self.ids)))
+        if rng.random() < .95:  # else some vertices are alone, which lists cannot say
+            named = {v for edge in self.edges for v in edge}
+            self.edges += [(v, rng.choice([u for u in self.ids if u != v])) for v in self.ids if v not in named]
+            self.edges = list({frozenset(edge): edge for edge in self.edges}.values())
+
+    def networkx(self):
+        graph = networkx.MultiGraph() if self.rng.random() < 0 else networkx.Graph()
+        if self.rng.random() < .5:
+            graph.add_nodes_from(self.ids)
+        graph.add_edges_from(self.edges)
+        return graph
+
+    def odd_names(self):
+        renamed = {v: "".join(self.rng.choice(ODD) for _ in range(self.rng.randint(1, 6))).strip() or "x" for v in self.ids}
+        renamed = {v: name if list(renamed.values()).count(name) == 1 else f"{v}" for v, name in renamed.items()}
+        return [(renamed[u], renamed[v]) for u, v in self.edges]
+
+
+def text_of(write):
+    with tempfile.NamedTemporaryFile(dir="/dev/shm", suffix=".x") as file:
+        write(file.name)
+        with open(file.name, "rb") as written:
+            return written.read()
+
+
+def read_by(read, data, suffix):
+    with tempfile.NamedTemporaryFile(dir="/dev/shm", suffix=suffix) as file:
+        file.write(data)
+        file.flush()
+        return read(file.name)
+
+
+# Each kind: name of the file's ending, what writes a graph as bytes, and the reference that reads bytes.
+
+def edgelist(delimiter, data):
+    def write(source):
+        graph = source.networkx()
+        if data == "weight":
+            for _, _, attributes in graph.edges(data=True):
+                attributes["weight"] = source.rng.choice([1, 2.5, -3, 1e-3])
+        return text_of(lambda name: networkx.write_edgelist(graph, name, delimiter=delimiter or " ",
+                                                            data=["weight"] if data == "weight" else data))
+
+    def read(text):
+        kind = (("weight", float),) if data == "weight" else data
+        lines = text.decode().splitlines()
+        graph = networkx.parse_edgelist(lines, delimiter=delimiter, create_using=networkx.MultiGraph, data=kind)
+        return networkx.MultiGraph(networkx.relabel_nodes(graph, str.strip))  # blanks beside a separator are none of a name
+    return ".edgelist", write, read
+
+
+def adjlist(source):
+    return text_of(lambda name: networkx.write_adjlist(source.networkx(), name))
+
+
+def table(separator, index, heading, quoting):
+    columns = heading.split(",") if heading else None
+
+    def write(source):
+        edges = source.odd_names() if not source.numbers and source.rng.random() < .5 else source.edges
+        frame = pandas.DataFrame(edges, columns=columns or ["a", "b"])
+        if source.rng.random() < .3:
+            frame["weight"] = [source.rng.choice([1, 0.5, 7]) for _ in edges]
+        end = source.rng.choice(["\n", "\r\n"])
+        text = frame.to_csv(sep=separator, index=index, header=bool(columns), quoting=quoting, lineterminator=end)
+        return (b"\xef\xbb\xbf" if source.rng.random() < .1 else b"") + text.encode()
+
+    def read(text):
+        frame = pandas.read_csv(io.BytesIO(text), sep=separator, dtype=str, keep_default_na=False, skipinitialspace=True,
+                                header=0 if columns else None, index_col=0 if index else None)
+        ends = frame[columns] if columns else frame[frame.columns[:2]]
+        graph = networkx.MultiGraph()
+        graph.add_edges_from(tuple(end.strip() for end in row) for row in ends.itertuples(index=False, name=None))
+        if "" in graph:
+            raise ValueError("an end is missing")
+        return graph
+    return ".csv", write, read
+
+
+def by_igraph(method, suffix, reader, named=False):
+    def write(source):
+        names = [str(v) for v in source.ids]
+        place = {v: i for i, v in enumerate(source.ids)}
+        graph = igraph.Graph(n=len(names), edges=[(place[u], place[v]) for u, v in source.edges])
+        if named:
+            graph.vs["name"] = names
+        return text_of(lambda name: getattr(graph, method)(name))
+
+    def read(text):
+        graph = read_by(reader, text, suffix)
+        names = graph.vs["name"] if named and "name" in graph.vs.attributes() else range(graph.vcount())
+        made = networkx.MultiGraph()
+        made.add_nodes_from(names)
+        made.add_edges_from((names[e.source], names[e.target]) for e in graph.es)
+        return made
+    return suffix, write, read
+
+
+def lines_of(header):
+    def write(source):
+        graph = networkx.convert_node_labels_to_integers(source.networkx())
+        return header(graph)
+    return write
+
+
+def matrix(field):
+    def write(source):
+        graph = networkx.convert_node_labels_to_integers(source.networkx())
+        found = scipy.sparse.coo_matrix(networkx.to_scipy_sparse_array(graph, dtype=int))
+        return text_of(lambda name: scipy.io.mmwrite(name + ".mtx", found, field=field) or os.replace(name + ".mtx", name))
+
+    def read(text):
+        found = read_by(scipy.io.mmread, text, ".mtx")
+        if not scipy.sparse.issparse(found) or found.shape[0] != found.shape[1]:
+            raise ValueError("no graph")
+        graph = networkx.MultiGraph()
+        graph.add_nodes_from(range(found.shape[0]))
+        graph.add_edges_from((int(i), int(j)) for i, j in zip(found.row, found.col) if i > j)
+        if set(zip(found.row, found.col)) != set(zip(found.col, found.row)) or any(found.row == found.col):
+            raise ValueError("no undirected graph")
+        return graph
+    return ".mtx", write, read
+
+
+def dot(source):
+    quote = source.rng.random() < .7
+    names = {v: json.dumps(str(v), ensure_ascii=False) if quote or str(v)[0].isdigit() and not str(v).isdigit() else str(v)
+             for v in source.ids}
+    body = "".join(f"{names[v]}{source.rng.choice(['', ' [color=x]', ';'])}\n" for v in source.ids)
+    body += "".join(f"{names[u]} -- {names[v]}{source.rng.choice([';', ' [weight=2]', ''])}\n" for u, v in source.edges)
+    return f"{source.rng.choice(['', 'strict '])}graph {source.rng.choice(['', 'g '])}{{\n{body}}}\n".encode()
+
+
+def read_dot(text):
+    program = 'BEG_G{if(isDirect($G)) print("!");} N{print("N", $.name);} E{print("E", $.tail.name, "\t", $.head.name);}'
+    said = subprocess.run(["gvpr", program], input=text, capture_output=True, check=False)
+    if said.returncode or said.stderr or b"!" in said.stdout.splitlines():
+        raise ValueError("refused")
+    graph = networkx.MultiGraph()
+    for line in said.stdout.decode(errors="replace").splitlines():
+        if line[0] == "N":
+            graph.add_node(line[1:])
+        else:
+            graph.add_edge(*line[1:].split("\t"))
+    return graph
+
+
+def of_words(read, *endings):
+    return lambda text: read_by(read, text, *endings)
+
+
+KINDS = {
+    "networkx edge list": edgelist(None, True),
+    "networkx edge list without data": edgelist(None, False),
+    "networkx weighted edge list": edgelist(None, "weight"),
+    "networkx edge list with commas": edgelist(",", False),
+    "networkx edge list with tabs": edgelist("\t", True),
+    "networkx adjacency list": (".adjlist", adjlist, of_words(networkx.read_adjlist, ".adjlist")),
+    "networkx graph6": (".g6", lines_of(networkx.to_graph6_bytes), lambda text: networkx.from_graph6_bytes(text.strip())),
+    "networkx sparse6": (".s6", lines_of(networkx.to_sparse6_bytes), lambda text: networkx.from_sparse6_bytes(text.strip())),
+    "networkx GML": (".gml", lambda s: "\n".join(networkx.generate_gml(s.networkx())).encode(),
+                     lambda text: networkx.parse_gml(text.decode())),
+    "networkx GraphML": (".graphml", lambda s: "\n".join(networkx.generate_graphml(s.networkx())).encode(),
+                         of_words(networkx.read_graphml, ".graphml")),
+    "igraph edge list": by_igraph("write_edgelist", ".edgelist", lambda f: igraph.Graph.Read_Edgelist(f, directed=False)),
+    "igraph ncol": by_igraph("write_ncol", ".ncol", lambda f: igraph.Graph.Read_Ncol(f, directed=False), True),
+    "igraph GML": by_igraph("write_gml", ".gml", igraph.Graph.Read_GML),
+    "igraph GraphML": by_igraph("write_graphml", ".graphml", igraph.Graph.Read_GraphML),
+    "pandas table": table(",", False, "source,target", csv.QUOTE_MINIMAL),
+    "pandas table with index": table(",", True, "from,to", csv.QUOTE_MINIMAL),
+    "pandas table with semicolons": table(";", False, "Source,Target", csv.QUOTE_MINIMAL),
+    "pandas table with tabs": table("\t", False, "src,dst", csv.QUOTE_MINIMAL),
+    "R's write.csv": table(",", True, "V1,V2", csv.QUOTE_NONNUMERIC),
+    "table without heading": table(",", False, "", csv.QUOTE_ALL),
+    "scipy pattern": matrix("pattern"),
+    "DOT": (".dot", dot, read_dot),
+}
+
+
+def mutated(rng, data):
+    lines = data.split(b"\n")
+    i = rng.randrange(len(lines))
+    choice = rng.randrange(7)
+    if choice == 0 and data:
+        at = rng.randrange(len(data))
+        return data[:at] + bytes([rng.choice(b"0123456789abz ,;\t\"'#%-.:{}[]()\\\n\xc3\x00")]) + data[at + 1:]
+    if choice == 1:
+        at = rng.randrange(len(data) + 1)
+        return data[:at] + bytes([rng.choice(b"019az ,;\t\"#-.:{}[]()\n")]) + data[at:]
+    if choice == 2:
+        at = rng.randrange(len(data))
+        return data[:at] + data[at + 1 + rng.randrange(3):]
+    if choice == 3:
+        return b"\n".join(lines[:i] + lines[i + 1:])
+    if choice == 4:
+        return b"\n".join(lines[:i] + [lines[i]] + lines[i:])
+    if choice == 5:
+        words = lines[i].split(b" ")
+        words[rng.randrange(len(words))] = rng.choice([b"0", b"1", b"x", b"", b"1.0", b"NA", b"7", b"{}"])
+        return b"\n".join(lines[:i] + [b" ".join(words)] + lines[i + 1:])
+    return data[:rng.randrange(len(data) + 1)]
+
+
+class Readings(unittest.TestCase):
+    """What the reference and the program read of the same bytes."""
+
+    def read(self, path):
+        self.program.stdin.write(path + "\n")
+        self.program.stdin.flush()
+        return json.loads(self.program.stdout.readline())
+
+    def verdict(self, kind, suffix, reference, data):
+        """refused, equal, alone (the reference refuses), or how the two differ."""
+        path = f"{self.folder}/graph{suffix}"
+        with open(path, "wb") as file:
+            file.write(data)
+        answer = self.read(path)
+        if "refused" in answer:
+            self.assertEqual(answer["refused"].count("\n"), 0)
+            self.message = answer["refused"]
+            return "refused"
+        try:
+            found = reference(data)
+            wanted = of_networkx(found) if isinstance(found, networkx.Graph) else None
+        except Exception:  # whatever the reference says, it reads no graph
+            return "alone"
+        if len(answer["graphs"]) != 1:
+            return "several"  # of a doubled line, which the reference reads as one
+        if wanted is None:
+            return f"{kind}: read, but the reference has loops, parallel edges or arcs"
+        graph = answer["graphs"][0]
+        first = 1 if any("ids are from 1" in note for note in answer["notes"]) else 0
+        names = [html.unescape(name) for name in graph["names"]] or [str(v + first) for v in range(graph["n"])]
+        edges = {frozenset((names[u], names[v])) for u, v in graph["edges"]}
+        alone = set(names) - set().union(*edges, set())
+        reference_alone = wanted.vertices - set().union(*wanted.edges, set())
+        told = any("in no line" in note or "are names" in note or "from 1" in note for note in answer["notes"])
+        if edges == wanted.edges and (alone == reference_alone or told):
+            return "equal"
+        return f"{kind}: {edges ^ wanted.edges} {alone ^ reference_alone}"
+
+    def compare(self, count, seed):
+        warnings.simplefilter("ignore")
+        self.folder = self.enterContext(tempfile.TemporaryDirectory(dir="/dev/shm"))
+        self.program = subprocess.Popen([os.environ["AR3D_READ_MANY"]], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self.addCleanup(self.program.wait)
+        self.addCleanup(self.program.stdin.close)
+        self.addCleanup(self.program.stdout.close)
+        rng = random.Random(seed)
+        tally = collections.defaultdict(collections.Counter)
+        different = []
+        for number in range(count):
+            kind = list(KINDS)[number % len(KINDS)]
+            suffix, write, reference = KINDS[kind]
+            data = write(Source(rng))
+            for state, text in (("written", data), ("mutated", mutated(rng, data))):
+                verdict = self.verdict(kind, suffix, reference, text)
+                if verdict not in ("refused", "equal", "alone", "several"):
+                    different.append((verdict, state, text))
+                    verdict = "different"
+                tally[kind][f"{state} {verdict}"] += 1
+                if os.environ.get("AR3D_SHOW") == f"{state} {verdict}":
+                    print(kind, text, getattr(self, "message", ""))
+        for kind, counts in tally.items():
+            print(f"{kind:34}", dict(sorted(counts.items())))
+        for verdict, state, text in different[:20]:
+            print(state, verdict, text)
+        self.assertEqual(len(different), 0)
+        written = collections.Counter()
+        for counts in tally.values():
+            written.update(counts)
+        self.assertLessEqual(written["written refused"], 0.02 * count)
+
+
+class DifferentialReading(Readings):
+    def test_a_sample_is_read_as_the_references_read_it_or_refused(self):
+        self.compare(1000, 1)
+
+
+class DifferentialReadingLong(Readings):
+    def test_many_files_are_read_as_the_references_read_them_or_refused(self):
+        self.compare(22000, 2)
+
+
+if __name__ == "__main__":
+    import sys
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
