@@ -231,7 +231,8 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   run.certify_s = certifying_time.wall_s();
   run.drawing_hash = examination.drawing_hash;
   if (is_judged) {
-    if (!needs_) needs_ = needs_of(*graph_, request.bisect && base_.instance_index == 0);
+    if (!needs_) needs_ = needs_of(*graph_);
+    if (request.bisect && base_.instance_index == 0) seek_bisection(*graph_, guarantee, *needs_);
     examination.summary.volume_at_least = volume_at_least(*needs_, guarantee);
   }
   set_metrics(examination.summary, run);

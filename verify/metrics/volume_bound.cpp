@@ -10,60 +10,87 @@ namespace {
 
 constexpr std::uint64_t kSmallestCut = 512;   // below, points gave more
 constexpr std::uint64_t kLargestCut = 16384;  // above, few sources could be afforded
-constexpr std::uint64_t kMostVisits = std::uint64_t{1} << 26;
+constexpr std::uint32_t kMostVisits = 24000000;
 constexpr std::uint64_t kFirstSources = 16;
+constexpr std::uint64_t kManySources = 512;  // more only where they are half of the vertices
 
 std::uint64_t rounded_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
-/// The units that one source after the other sends to all vertices.
+/// The units that one source after the other sends to all vertices. Half of the edges that are
+/// looked at lead to a vertex that was seen, so nothing here asks by a branch.
 class Routing {
  public:
   explicit Routing(const Graph& graph)
       : graph_(graph),
+        order_(graph.num_vertices() + std::size_t{1}),
         distance_(graph.num_vertices(), kUnseen),
         units_(graph.num_vertices()),
-        load_(graph.num_edges()) {}
+        load_(graph.num_edges()),
+        heaviest_(graph.num_vertices()) {}
 
   /// Adds a source: of edges to nearer vertices each vertex takes the one with the least load.
   void add_source(Vertex source) {
-    search_from(source);
-    for (std::size_t i = order_.size(); --i > 0;) {
-      const Vertex v = order_[i];
-      const HalfEdge* way = nullptr;
-      for (const HalfEdge& half : graph_.incident(v)) {
-        if (distance_[half.to] + 1 != distance_[v]) continue;
-        if (way == nullptr || load_[half.edge] < load_[way->edge]) way = &half;
-      }
-      load_[way->edge] += units_[v];
-      units_[way->to] += units_[v];
-      largest_ = std::max(largest_, load_[way->edge]);
-    }
-    for (const Vertex v : order_) distance_[v] = kUnseen;
+    const std::size_t size = search_from(source);
+    for (std::size_t i = size; --i > 0;) send_on(order_[i]);
+    for (std::size_t i = 0; i < size; ++i) distance_[order_[i]] = kUnseen;
+    heaviest_[source] = kUnseen;
+  }
+  /// The vertex whose edges have the least load, of those that are no source yet.
+  Vertex next_source(std::span<const Vertex> vertices) const {
+    return *std::min_element(vertices.begin(), vertices.end(),
+                             [this](Vertex u, Vertex v) { return heaviest_[u] < heaviest_[v]; });
   }
 
   std::uint64_t largest_load() const { return largest_; }
+  /// Of all paths taken.
+  std::uint64_t length() const { return length_; }
 
  private:
-  static constexpr Vertex kUnseen = std::numeric_limits<Vertex>::max() - 1;
+  static constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max() - 1;
 
-  void search_from(Vertex source) {
-    order_.assign(1, source);
+  std::size_t search_from(Vertex source) {
+    order_[0] = source;
     distance_[source] = 0;
-    for (std::size_t i = 0; i < order_.size(); ++i) {
+    std::size_t end = 1;
+    for (std::size_t i = 0; i < end; ++i) {
       const Vertex v = order_[i];
+      const std::uint32_t next = distance_[v] + 1;
       units_[v] = 1;
       for (const HalfEdge& half : graph_.incident(v)) {
-        if (distance_[half.to] != kUnseen) continue;
-        distance_[half.to] = distance_[v] + 1;
-        order_.push_back(half.to);
+        std::uint32_t& distance = distance_[half.to];
+        order_[end] = half.to;
+        end += distance == kUnseen;
+        distance = std::min(distance, next);
       }
     }
+    return end;
+  }
+
+  void send_on(Vertex v) {
+    const std::uint32_t nearer = distance_[v] - 1;
+    std::uint32_t least = kUnseen;
+    HalfEdge way;
+    for (const HalfEdge& half : graph_.incident(v)) {
+      const std::uint32_t load = distance_[half.to] == nearer ? load_[half.edge] : kUnseen;
+      const bool is_less = load < least;
+      way.to = is_less ? half.to : way.to;
+      way.edge = is_less ? half.edge : way.edge;
+      least = std::min(least, load);
+    }
+    const std::uint32_t load = load_[way.edge] = least + units_[v];
+    units_[way.to] += units_[v];
+    length_ += nearer + 1;
+    largest_ = std::max(largest_, load);
+    heaviest_[v] = std::max(heaviest_[v], load);
+    heaviest_[way.to] = std::max(heaviest_[way.to], load);
   }
 
   const Graph& graph_;
-  std::vector<Vertex> order_, distance_;
-  std::vector<std::uint64_t> units_, load_;
-  std::uint64_t largest_ = 0;
+  std::vector<Vertex> order_;
+  std::vector<std::uint32_t> distance_, units_, load_;
+  std::vector<std::uint32_t> heaviest_;  ///< load of an edge at the vertex; kUnseen at a source
+  std::uint32_t largest_ = 0;
+  std::uint64_t length_ = 0;
 };
 
 template <class IsOne>
@@ -115,22 +142,33 @@ std::uint64_t least_side(std::uint64_t low, const IsEnough& is_enough) {
 
 }  // namespace
 
-std::uint64_t bisection_at_least(const Graph& graph, std::span<const Vertex> vertices,
-                                 std::uint64_t most_visits) {
+RoutedBisection route_bisection(const Graph& graph, std::span<const Vertex> vertices,
+                                std::uint32_t most_visits,
+                                const std::function<bool(const RoutedBisection&)>& is_worth) {
   constexpr std::uint64_t kStride = 2654435761;  // spreads the first sources over the labels
-  const std::uint64_t n = vertices.size();
-  const std::uint64_t visits = n + 2 * std::uint64_t{graph.num_edges()};
-  const std::uint64_t most = std::min(n, most_visits / visits);
+  const std::uint64_t n = vertices.size(), m = graph.num_edges();
+  const std::uint64_t most =
+      std::min({n, std::max(kManySources, n / 2), most_visits / (n + 2 * m)});
   Routing routing(graph);
-  std::uint64_t bound = 0, half = 0, quarter = 0, sources = 0;  // with that many of the sources
+  RoutedBisection result;
+  std::uint64_t half = 0, quarter = 0, sources = 0;  // bounds with that many of the sources
   for (std::uint64_t next = std::min(most, kFirstSources); sources < next;
        next = std::min(most, 2 * next)) {
-    for (; sources < next; ++sources) routing.add_source(vertices[sources * kStride % n]);
-    quarter = std::exchange(half, bound);
-    bound = std::max(bound, rounded_up(sources * (n / 2), routing.largest_load()));
-    if (10 * bound < 11 * quarter) break;
+    for (; sources < next; ++sources) {
+      routing.add_source(sources < kFirstSources ? vertices[sources * kStride % n]
+                                                 : routing.next_source(vertices));
+    }
+    quarter = std::exchange(half, result.at_least);
+    const std::uint64_t bound = rounded_up(sources * (n / 2), routing.largest_load());
+    // Edges carry at least the mean, and no less with more sources.
+    result.reachable = std::min({result.reachable, rounded_up(bound * most, sources),
+                                 5 * (sources * (n / 2) * m / routing.length() + 1) / 4});
+    result.at_least = std::max(result.at_least, std::min(bound, result.reachable));
+    if (10 * result.at_least < 11 * quarter || sources == most) break;
+    if (!is_worth(result)) return result;
   }
-  return bound;
+  result.reachable = result.at_least;
+  return result;
 }
 
 std::uint64_t smallest_box(const BoxNeeds& needs) {
@@ -149,18 +187,33 @@ std::uint64_t smallest_box(const BoxNeeds& needs) {
   return best;
 }
 
-GraphNeeds needs_of(const Graph& graph, bool with_bisection) {
-  GraphNeeds needs{graph.num_vertices(), graph.num_edges(), 0, 0};
+GraphNeeds needs_of(const Graph& graph) {
+  GraphNeeds needs{.vertices = graph.num_vertices(), .edges = graph.num_edges()};
+  const std::vector<bool> inside = in_largest_component(graph);
+  needs.part_vertices = static_cast<std::uint64_t>(std::count(inside.begin(), inside.end(), true));
+  return needs;
+}
+
+void seek_bisection(const Graph& graph, const Guarantee& guarantee, GraphNeeds& needs) {
+  if (needs.part_vertices < kSmallestCut || needs.part_vertices > kLargestCut) return;
+  if (steps_of(guarantee) == DrawnSteps::any) return;
+  const auto volume_with = [&](std::uint64_t bisection) {
+    GraphNeeds with = needs;
+    with.bisection = bisection;
+    return volume_at_least(with, guarantee);
+  };
+  const auto is_worth = [&](const RoutedBisection& found) {
+    return volume_with(found.reachable) > volume_with(found.at_least);
+  };
+  if (!is_worth({needs.bisection, std::min(needs.reachable_bisection, needs.edges)})) return;
   const std::vector<bool> inside = in_largest_component(graph);
   std::vector<Vertex> part;
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     if (inside[v]) part.push_back(v);
   }
-  needs.part_vertices = part.size();
-  if (with_bisection && part.size() >= kSmallestCut && part.size() <= kLargestCut) {
-    needs.bisection = bisection_at_least(graph, part, kMostVisits);
-  }
-  return needs;
+  const RoutedBisection found = route_bisection(graph, part, kMostVisits, is_worth);
+  needs.bisection = found.at_least;
+  needs.reachable_bisection = found.reachable;
 }
 
 std::int64_t volume_at_least(const GraphNeeds& needs, const Guarantee& guarantee) {
