@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "ar3d/model/cosine_comparison.h"
+#include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d {
 namespace {
@@ -40,6 +41,7 @@ class AngleMeasurer {
     const std::uint32_t degree = largest_degree();
     has_optimum_ = degree <= 4;
     if (has_optimum_) optimum_ = optimal_cosine(degree);
+    if (has_optimum_) compare_with_optimum_.emplace(lattice_, optimum_);
     for_each_polyline(drawing_,
                       [this](EdgeId e, const std::vector<Point>& points) { add_bends(e, points); });
     add_vertices();
@@ -152,7 +154,7 @@ class AngleMeasurer {
     if (!has_optimum_ || (!is_optimal_[e] && !is_optimal_[f])) return;
     const double excess = cosine - static_cast<double>(optimum_.numerator) / optimum_.denominator;
     const bool is_smaller =
-        std::abs(excess) > kFar ? excess > 0 : compare_cosine(lattice_, a, b, optimum_) > 0;
+        std::abs(excess) > kFar ? excess > 0 : (*compare_with_optimum_)(a, b) > 0;
     if (is_smaller) is_optimal_[e] = is_optimal_[f] = false;
   }
 
@@ -165,16 +167,39 @@ class AngleMeasurer {
   std::vector<EdgeId> edges_;
   bool has_optimum_ = false;
   Cosine optimum_;
+  std::optional<verify::AngleComparison> compare_with_optimum_;
   double largest_cosine_at_vertices_ = kNoAngle;
   double largest_cosine_at_bends_ = kNoAngle;
 };
 
-// All angles are the same.
-void set_proved_angles(const Graph& graph, Cosine cosine, DrawingSummary& summary) {
+// Are inner products of segments exact in double, and so the cosines of rational angles rounded
+// once? Then u v / sqrt(uu vv) is the quotient of two integers that a double holds.
+bool has_exact_products(const Lattice& lattice, const Box& box) {
+  double largest_gram = 0, largest = 0;
+  for (const auto& row : lattice.gram) {
+    for (const std::int32_t entry : row)
+      largest_gram = std::max(largest_gram, std::abs(1.0 * entry));
+  }
+  for (const std::int64_t extent : box.extents()) {
+    largest = std::max(largest, static_cast<double>(extent));
+  }
+  return 9 * largest_gram * largest * largest < 0x1p53;
+}
+
+// All angles are the same: the optimum, or less than it at a bend of every edge. False if it takes
+// a look at the drawing.
+bool set_proved_angles(const Graph& graph, const Lattice& lattice, Cosine cosine,
+                       DrawingSummary& summary) {
+  const Cosine optimum = optimal_cosine(graph.max_degree());
+  const bool is_optimal = cosine == optimum;
+  const bool none_is_optimal = cosine == Cosine{-1, 3} && optimum == Cosine{-1, 2} &&
+                               (summary.bend_histogram.empty() || summary.bend_histogram[0] == 0);
+  if (!is_optimal && !(none_is_optimal && has_exact_products(lattice, summary.box))) return false;
   const double angle = degrees(static_cast<double>(cosine.numerator) / cosine.denominator);
   if (graph.max_degree() >= 2) summary.smallest_vertex_angle = angle;
   if (summary.bend_histogram.size() > 1) summary.smallest_bend_angle = angle;
-  summary.optimal_edges = graph.num_edges();
+  summary.optimal_edges = is_optimal ? graph.num_edges() : 0;
+  return true;
 }
 
 bool is_contact(ViolationKind kind) {
@@ -196,10 +221,10 @@ void set_angles_and_crossings(const Graph& graph, const Drawing& drawing,
     summary.crossings = std::count_if(certificate.violations.begin(), certificate.violations.end(),
                                       [](const Violation& v) { return is_contact(v.kind); });
   }
-  const bool is_proved = certificate.valid() && guarantee.angle_rule == AngleRule::exactly &&
-                         graph.max_degree() <= 4 &&
-                         guarantee.cosine == optimal_cosine(graph.max_degree());
-  is_proved ? set_proved_angles(graph, guarantee.cosine, summary) : set_angles(drawing, summary);
+  const bool is_proved =
+      certificate.valid() && guarantee.angle_rule == AngleRule::exactly && graph.max_degree() <= 4;
+  if (is_proved && set_proved_angles(graph, drawing.lattice(), guarantee.cosine, summary)) return;
+  set_angles(drawing, summary);
 }
 
 }  // namespace ar3d

@@ -15,9 +15,11 @@ namespace ar3d::verify {
 /// Sizes that decide which way is taken, never what is counted; tests set them small.
 struct CountingSizes {
   std::size_t bucket =
-      6000;                  ///< records that a bucket should have: they fit the second-level cache
-  std::size_t crowded = 32;  ///< comparisons per record from which a plane sweep is taken instead
-  std::uint64_t memory = 0;  ///< bytes of segments and records at a time; 0: no limit
+      6000;  ///< records that a bucket should have: they fit the second-level cache
+  std::size_t crowded =
+      32;  ///< rows of a bin from which its columns are sorted, too; five times as
+           ///< many comparisons per record are left to a plane sweep
+  std::uint64_t memory = 0;   ///< bytes of segments and records at a time; 0: no limit
   std::uint32_t threads = 1;  ///< that count; each has records of its own
 };
 
@@ -124,6 +126,13 @@ class PlaneMeetings {
     }
   };
 
+  /// The records of a bin member by member, so that one is compared with several at a time.
+  struct RecordLists {
+    std::vector<std::uint32_t> planes, places, lows, runs;
+    void take(Records records);
+    std::uint64_t met_by(const PlaneRecord& row) const;
+  };
+
   void count_bucket(std::size_t bucket);
   std::size_t bin_of(const PlaneRecord& record) const;
   void into_bins(std::size_t bucket, BucketBins& bins) const;
@@ -139,6 +148,7 @@ class PlaneMeetings {
   unsigned bin_shift_ = 0;
   RecordBuckets buckets_;           ///< of rows and columns in turns
   std::array<BucketBins, 2> bins_;  ///< of rows, of columns
+  RecordLists columns_;             ///< of a bin
   CrowdedPlanes crowded_;
 };
 

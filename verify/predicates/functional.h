@@ -35,13 +35,24 @@ inline Vector plane_normal(Vector a, Vector b) {
 /// Some axis along which v is not zero, for v != 0.
 inline std::size_t leading_axis(Vector v) { return v.x != 0 ? 0 : v.y != 0 ? 1 : 2; }
 
+inline bool is_diagonal(const Lattice& lattice) {
+  const auto& g = lattice.gram;
+  return (g[0][1] | g[0][2] | g[1][0] | g[1][2] | g[2][0] | g[2][1]) == 0;
+}
+
 /// d^T gram d, in a type in which no term wraps.
 template <class Integer>
 Integer squared_length(const Lattice& lattice, Vector d) {
+  const auto& g = lattice.gram;
+  if (is_diagonal(lattice)) {
+    const auto square = [](std::int64_t c) { return Integer(c) * Integer(c); };
+    return square(d.x) * Integer(g[0][0]) + square(d.y) * Integer(g[1][1]) +
+           square(d.z) * Integer(g[2][2]);
+  }
   Integer sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      sum += Integer(component(d, i)) * Integer(lattice.gram[i][j]) * Integer(component(d, j));
+      sum += Integer(component(d, i)) * Integer(g[i][j]) * Integer(component(d, j));
     }
   }
   return sum;
