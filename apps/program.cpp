@@ -3,13 +3,14 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <omp.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -30,7 +31,8 @@
 
 namespace {
 
-constexpr int kMostThreads = 1024;  // as --threads
+constexpr std::uint64_t kMostThreads = 1024;                     // as --threads
+constexpr std::uint64_t kLeastStack = 64, kMostStack = 1 << 20;  // of a thread, in KiB
 
 constexpr const char* kExamples = R"(Examples:
   ar3d study run quick
@@ -97,15 +99,24 @@ std::string meant_by(const CLI::App& verb, const std::vector<std::string>& words
   return nearest_word(verb, word);
 }
 
+/// An option of the verb that stands before it.
+bool is_option_of(const CLI::App& verb, const std::string& word) {
+  const CLI::Option* const option = verb.get_option_no_throw(word);
+  return option != nullptr && word.starts_with("--");
+}
+
 void tell_usage(const CLI::App& app, const CLI::ParseError& error,
                 const std::vector<std::string>& words) {
   const CLI::App& verb = verb_in(app);
   const std::vector<std::string> rest = app.remaining(true);
   std::string message = error.what();
   if (!rest.empty()) {
-    const bool is_verb = &verb == &app && !rest.front().starts_with("-");
-    message = fmt::format("{} '{}'{}", is_verb ? "unknown verb" : "not expected:", rest.front(),
-                          meant_by(verb, words, rest.front()));
+    const std::string& word = rest.front();
+    const bool is_verb = &verb == &app && !word.starts_with("-");
+    message = fmt::format("{} '{}'{}", is_verb ? "unknown verb" : "not expected:", word,
+                          is_option_of(verb, word)
+                              ? fmt::format(" here; write '{} {}'", command_of(verb), word)
+                              : meant_by(verb, words, word));
   }
   ar3d::say(stderr, "ar3d: {} (see {} --help)\n", ar3d::printable(message), command_of(verb));
 }
@@ -193,6 +204,35 @@ void begin_process() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+// OpenMP's library takes 2^32 threads as none, crashes on small stacks and ends the process where it
+// gets no large ones.
+void check_openmp() {
+  const auto begin_of = [](const char* name) {
+    const char* const text = std::getenv(name);
+    return text == nullptr ? "" : text;
+  };
+  const char* at = begin_of("OMP_NUM_THREADS");
+  for (char* end = nullptr; *at != '\0'; at = *end == '\0' ? end : end + 1) {  // one number a level
+    if (const std::uint64_t threads = std::strtoull(at, &end, 10); threads > kMostThreads) {
+      throw ar3d::InputError(fmt::format("OMP_NUM_THREADS asks for {} threads; {} are the most",
+                                         std::string_view(at, static_cast<std::size_t>(end - at)),
+                                         kMostThreads));
+    }
+  }
+  at = begin_of("OMP_STACKSIZE");
+  char* unit = nullptr;
+  const std::uint64_t size = std::strtoull(at, &unit, 10);
+  if (unit == at) return;  // it is none, which OpenMP says
+  unit += std::strspn(unit, " \t");
+  const std::uint64_t kibibyte = *unit == 'b' || *unit == 'B' ? 1024 : 1;  // of its units
+  const std::uint64_t scale = *unit == 'm' || *unit == 'M'   ? 1 << 10
+                              : *unit == 'g' || *unit == 'G' ? 1 << 20
+                                                             : 1;
+  if (size > kMostStack * kibibyte / scale || size * scale / kibibyte < kLeastStack) {
+    throw ar3d::InputError(fmt::format("OMP_STACKSIZE is {}; 64k to 1G are possible", at));
+  }
+}
+
 // A verdict that nobody could read is none: standard output that could not take all of it (a full
 // disk) is an error of every verb.
 int with_output_flushed(int exit_code) {
@@ -209,10 +249,7 @@ int with_output_flushed(int exit_code) {
 int ar3d::run_program(int argc, char** argv) {
   begin_process();
   try {
-    if (const int threads = omp_get_max_threads(); threads > kMostThreads) {
-      throw ar3d::InputError(fmt::format("OMP_NUM_THREADS asks for {} threads; {} are the most",
-                                         threads, kMostThreads));
-    }
+    check_openmp();
     return with_output_flushed(run(argc, argv));
   } catch (const ar3d::InputError& error) {
     ar3d::say(stderr, "ar3d: {}\n", ar3d::printable(error.what()));

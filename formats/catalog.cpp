@@ -2,6 +2,7 @@
 // too often.
 #include "ar3d/formats/catalog.h"
 
+#include "ar3d/base/printable.h"
 #include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {
@@ -33,11 +34,20 @@ std::string_view body_of(std::string_view text) {
   }
 }
 
+void refuse_results(const TextInput& input, std::string_view text) {
+  if (!text.starts_with("\x89HDF")) return;
+  throw InputError(fmt::format(
+      "{}: results (HDF5), no graph and no drawing; `ar3d replay {} --keep all -o drawings.jsonl` "
+      "writes their drawings",
+      input.name(), shell_word(input.name())));
+}
+
 /// The format of the text to come. Looks beyond the first line unless that is one word, so that a
 /// pipe's first graph can be read before its second is written.
 const GraphFormat& detect_format(TextInput& input, const ReadOptions& options) {
   std::string_view text = input.look_ahead_line();
   if (text.empty()) throw InputError(fmt::format("{}: empty file: no graph in it", input.name()));
+  refuse_results(input, text);
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   if (is_comment(text) || is_blank(line) || line.find_first_of("0123456789 \t,;") != line.npos ||
       line.starts_with("graph") || line == "c") {
@@ -160,6 +170,7 @@ std::string GraphReader::where() const {
 
 void refuse_graph(TextInput& input) {
   constexpr std::size_t kMostBytes = std::size_t{1} << 24;
+  refuse_results(input, input.look_ahead_line());
   std::string format;
   try {
     GraphReader graphs(

@@ -12,7 +12,10 @@
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
+#include <cstdint>
 #include <functional>
+#include <iterator>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -119,10 +122,23 @@ inline EdgeId get(boost::edge_index_t, const Graph&, const BoostEdge& e) { retur
 
 /// Builds a Graph from any model of VertexListGraph and EdgeListGraph; vertices are numbered
 /// by the index map and edges in Graph's order, whatever that of edges(g).
-/// @param index  readable property map: vertex descriptor -> 0..n-1.
-/// @throws InputError on loops and parallel edges.
+/// @param index  readable property map: vertex descriptor -> 0..n-1. Of a filtered graph n is the
+/// number of vertices that are left, so its index map has to be its own.
+/// @throws InputError on loops, parallel edges and another index map. Cost: O(n + m).
 template <class BoostGraph, class IndexMap>
 Graph from_boost(const BoostGraph& g, IndexMap index) {
+  const auto [first, last] = vertices(g);
+  const auto count = static_cast<std::uint64_t>(std::distance(first, last));
+  std::vector<bool> taken(count);
+  for (auto v = first; v != last; ++v) {
+    const auto at = static_cast<std::uint64_t>(get(index, *v));
+    if (at >= count || taken[at]) {
+      throw InputError("the index map gives a vertex the number " + std::to_string(get(index, *v)) +
+                       ", but " + std::to_string(count) + " vertices have 0 to " +
+                       std::to_string(count - 1) + ", each once");
+    }
+    taken[at] = true;
+  }
   std::vector<Edge> list;
   list.reserve(num_edges(g));
   const auto [begin, end] = edges(g);
@@ -130,7 +146,7 @@ Graph from_boost(const BoostGraph& g, IndexMap index) {
     list.push_back({static_cast<Vertex>(get(index, source(*e, g))),
                     static_cast<Vertex>(get(index, target(*e, g)))});
   }
-  return Graph(num_vertices(g), std::move(list));
+  return Graph(count, std::move(list));
 }
 
 template <class BoostGraph>

@@ -183,5 +183,37 @@ class HostileSizes(Program):
             self.assertIn(run(IN_ONE_GIGABYTE + "ar3d verify d.jsonl").code, (2, 5), text)
 
 
+class Environment(Program):
+    def test_openmp_gets_no_threads_and_stacks_that_end_the_process(self):
+        write("g.g6", "D~{\n" * 9)
+        draw = "ar3d draw g.g6 --algorithm diamond --threads 2 -o d.jsonl --force"
+        for threads in ("1025", "4294967296", "9223372036854775807", "99999999999999999999", "2,4294967297"):
+            self.expect(f"OMP_NUM_THREADS={threads} {draw}", 2, err="ar3d: OMP_NUM_THREADS asks for")
+        for stack in ("16k", "32k", "63K", "1B", "65535b", "0", "2G", "100G", "1048577", "' 16 k'", "9999999999999999999999G"):
+            self.expect(f"OMP_STACKSIZE={stack} {draw}", 2, err=("ar3d: OMP_STACKSIZE is", "64k to 1G are possible"))
+        for good in ("OMP_NUM_THREADS=2", "OMP_NUM_THREADS=2,1", "OMP_NUM_THREADS=", "OMP_STACKSIZE=64k", "OMP_STACKSIZE=65536B", "OMP_STACKSIZE=1M",
+                     "OMP_STACKSIZE=512", "OMP_STACKSIZE=1G"):
+            self.expect(f"{good} {draw}")
+
+
+class Elsewhere(Program):
+    """What a call cannot do, and what can."""
+    def test_an_option_in_front_of_its_verb(self):
+        said = self.refused("ar3d --json list", "not expected: '--json' here; write 'ar3d list --json'")
+        self.assertNotIn("did you mean", said.err)
+        self.expect("ar3d list --json", out="{")
+        self.refused("ar3d --quiet study run smoke", "write 'ar3d study run --quiet'")
+        self.refused("ar3d --nothing list", "not expected: '--nothing'")
+
+    def test_results_are_no_drawings(self):
+        self.expect("ar3d study run smoke -q -o smoke.h5 && mv smoke.h5 r.h5")
+        for call in ("view r.h5", "verify r.h5", "draw r.h5", "verify r.h5 --graphs r.h5", "verify - < r.h5"):
+            self.refused(f"ar3d {call}", "results (HDF5), no graph and no drawing", "ar3d replay")
+        command = run("ar3d verify r.h5").err.split("`")[1]
+        self.assertEqual(command, "ar3d replay r.h5 --keep all -o drawings.jsonl")
+        self.expect(command)
+        self.expect("ar3d verify drawings.jsonl", out="0 violated")
+
+
 if __name__ == "__main__":
     main()

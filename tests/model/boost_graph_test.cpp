@@ -7,6 +7,7 @@
 #include <boost/graph/boyer_myrvold_planar_test.hpp>
 #include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/connected_components.hpp>
+#include <boost/graph/filtered_graph.hpp>
 #include <boost/graph/graph_concepts.hpp>
 #include <boost/graph/isomorphism.hpp>
 
@@ -53,6 +54,29 @@ TEST(BoostGraph, BuildsFromBoostGraphs) {
   EXPECT_EQ(graph_hash(itself), graph_hash(petersen()));
   add_edge(1, 0, list);
   EXPECT_THROW(from_boost(list), InputError);
+}
+
+TEST(BoostGraph, IndexMapsNumberTheVerticesThatThereAre) {
+  const Graph eight = cycle(8);
+  const std::function<bool(Vertex)> is_low = [](Vertex v) { return v < 4; };
+  const std::function<bool(Vertex)> is_high = [](Vertex v) { return v >= 4; };
+  const auto kept = [&](const std::function<bool(Vertex)>& keeps) {
+    return boost::filtered_graph<Graph, boost::keep_all, std::function<bool(Vertex)>>(eight, {},
+                                                                                      keeps);
+  };
+  const Graph low = from_boost(kept(is_low));
+  EXPECT_EQ(low.num_vertices(), 4u);
+  EXPECT_EQ(low.num_edges(), 3u);
+  EXPECT_THROW(from_boost(kept(is_high)), InputError);
+  const auto shifted = boost::make_function_property_map<Vertex>([](Vertex v) { return v - 4; });
+  EXPECT_EQ(graph_hash(from_boost(kept(is_high), shifted)), graph_hash(low));
+  for (const std::uint64_t too_large : {UINT64_C(1) << 32, UINT64_C(5000000000), UINT64_C(8)}) {
+    const auto map = boost::make_function_property_map<Vertex>(
+        [=](Vertex v) { return v == 0 ? too_large : std::uint64_t{v}; });
+    EXPECT_THROW(from_boost(eight, map), InputError) << too_large;
+  }
+  const auto constant = boost::make_function_property_map<Vertex>([](Vertex) { return 1; });
+  EXPECT_THROW(from_boost(eight, constant), InputError);
 }
 
 }  // namespace
