@@ -159,7 +159,7 @@ TEST(VolumeBound, IsAsIfTheBisectionWereAlwaysLookedFor) {
     const Graph graph = generate(family, 700, 1);
     GraphNeeds full = needs_of(graph);
     if (full.part_vertices != graph.num_vertices() || graph.num_vertices() < 512) continue;
-    full.bisection = route_bisection(graph, all_vertices(graph), 24000000, always).at_least;
+    full.bisection = route_bisection(graph, all_vertices(graph), 1 << 25, always).at_least;
     GraphNeeds forwards = needs_of(graph), backwards = forwards;
     const Guarantee& body = find_algorithm("compact").guarantee;
     const Guarantee& face = find_algorithm("compact-120").guarantee;

@@ -10,9 +10,8 @@ namespace {
 
 constexpr std::uint64_t kSmallestCut = 512;   // below, points gave more
 constexpr std::uint64_t kLargestCut = 16384;  // above, few sources could be afforded
-constexpr std::uint32_t kMostVisits = 24000000;
+constexpr std::uint32_t kMostVisits = 40000000;
 constexpr std::uint64_t kFirstSources = 16;
-constexpr std::uint64_t kManySources = 512;  // more only where they are half of the vertices
 
 std::uint64_t rounded_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
@@ -147,8 +146,7 @@ RoutedBisection route_bisection(const Graph& graph, std::span<const Vertex> vert
                                 const std::function<bool(const RoutedBisection&)>& is_worth) {
   constexpr std::uint64_t kStride = 2654435761;  // spreads the first sources over the labels
   const std::uint64_t n = vertices.size(), m = graph.num_edges();
-  const std::uint64_t most =
-      std::min({n, std::max(kManySources, n / 2), most_visits / (n + 2 * m)});
+  const std::uint64_t most = std::min(n, most_visits / (n + 2 * m));
   Routing routing(graph);
   RoutedBisection result;
   std::uint64_t half = 0, quarter = 0, sources = 0;  // bounds with that many of the sources

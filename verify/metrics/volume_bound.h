@@ -27,7 +27,7 @@ GraphNeeds needs_of(const Graph& graph);
 
 /// Looks for the bisection of a component of 512 to 16,384 vertices, as long as what can be found
 /// would enlarge volume_at_least() for this guarantee; which other guarantees were asked for before
-/// makes no difference to that. At most 24 million visits of vertices and half-edges, some 0.1 s.
+/// makes no difference to that. At most 40 million visits of vertices and half-edges, some 0.2 s.
 void seek_bisection(const Graph& graph, const Guarantee& guarantee, GraphNeeds& needs);
 
 /// No drawing of such a graph that keeps the guarantee has a box of fewer lattice points (Lemma
