@@ -11,6 +11,7 @@
 #include "ar3d/algorithms/grid/grid.h"
 #include "ar3d/algorithms/grid_paper/grid_paper.h"
 #include "ar3d/algorithms/lattice/lattice.h"
+#include "ar3d/algorithms/routed/routed.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/algorithms/two_bend_109/two_bend_109.h"
 #include "ar3d/algorithms/two_bend_120/two_bend_120.h"
@@ -38,6 +39,8 @@ std::vector<Algorithm> catalogue() {
       grid_paper::row(),
       lattice::row_109(),
       lattice::row_120(),
+      routed::row_109(),
+      routed::row_120(),
       // clang-format on
   };
 }

@@ -61,7 +61,7 @@ TEST(Names, UnknownOnesAreAnsweredWithTheNearest) {
       "{} draw - --algorithm gird",
       "unknown algorithm 'gird'; did you mean 'grid'? (known: diamond, two-bend, grid, "
       "compact, compact-120, two-bend-109, two-bend-120, two-bend-paper, grid-paper, lattice-109, "
-      "lattice-120; see: ar3d list algorithms)");
+      "lattice-120, routed, routed-120; see: ar3d list algorithms)");
   expect_name_refused(
       "{} draw - --algorithm grid --set efort=2",
       "algorithm grid has no option 'efort'; did you mean 'effort'? (known: effort; see: "

@@ -11,9 +11,9 @@ import os
 import re
 
 PAGES = {"1": "theorem1", "2": "theorem2", "3": "theorem3", "C": "compact", "D": "compact-120", "E": "two-bend-109", "F": "two-bend-120",
-         "G": "theorem3-paper", "H": "history", "L": "lower-bounds", "O": "optimum", "P": "theorem2-paper", "V": "verify"}
-NUMBER = r"(?:[0-9CDEFGHLOPV]\.[0-9]+|[0-9]+)"
-DEFINITION = re.compile(r"(?:^|[^`])\*\*(Lemma|Rule|Step|Repair) ([0-9CDEFGHLOPV])\.([0-9]+)")
+         "G": "theorem3-paper", "H": "history", "L": "lower-bounds", "O": "optimum", "P": "theorem2-paper", "R": "routed", "V": "verify"}
+NUMBER = r"(?:[0-9CDEFGHLOPRV]\.[0-9]+|[0-9]+)"
+DEFINITION = re.compile(r"(?:^|[^`])\*\*(Lemma|Rule|Step|Repair) ([0-9CDEFGHLOPRV])\.([0-9]+)")
 CITATION = re.compile(rf"\b([Ll]emma|[Rr]ule|[Ss]tep|[Ss]tage|[Rr]epair)s?\s+{NUMBER}(?:(?:,|\s+and|\s+to|\s+or|–)\s*{NUMBER})*(?!\w)")
 PRIVATE = re.compile(r"\bamendments?\s+[A-Z]?[0-9]|\bfinding\s+[0-9]|\bsections?\s+[0-9]+(?!\.)")
 PRIVATE_IN_CODE = re.compile(r"\([^()\n]*\b[RA][0-9]{1,2}\b[^()]*\)|\([0-9]\.[0-9](?:\.[0-9])?[,;)]")

@@ -175,9 +175,9 @@ def sub_folders():
 def allowed():
     """Who may include whom: rows "| `bench/` | ... | model, formats |" of docs/architecture.md. "everything" frees from all rules.
     A sub-folder without a row includes no other one."""
-    rows = re.findall(r"^\| `([a-z_/0-9]+)/` \|(?:.*\|)? ([a-z_, –]+) \|$", tree()["docs/architecture.md"], re.M)
+    rows = re.findall(r"^\| `([a-z_/0-9]+)/` \|(?:.*\|)? ([a-z_0-9, –]+) \|$", tree()["docs/architecture.md"], re.M)
     return dict.fromkeys(sub_folders(), set()) | {
-        folder: None if others == "everything" else set(re.findall("[a-z_]+", others)) for folder, others in rows}
+        folder: None if others == "everything" else set(re.findall("[a-z_0-9]+", others)) for folder, others in rows}
 
 
 def includes(folder):

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 MOST_WORDS, MOST_CHARACTERS = 30, 120
-PROOFS = re.compile(r"(theorem.*|compact.*|two-bend-1(09|20)|lower-bounds|open-questions)\.md")
+PROOFS = re.compile(r"(theorem.*|compact.*|two-bend-1(09|20)|routed|lower-bounds|open-questions)\.md")
 NUMBERED = re.compile(r"\*\*(Lemma|Step|Theorem) |\*Proof")
 FOLDERS = ("algorithms", "analysis", "apps", "base", "bench", "formats", "generators", "model", "optimum", "python", "store", "verify")
 OTHER = re.compile(r"\||<|!\[|#|\$\$|\[[^]]*\]: ")  # tables, pictures, headings

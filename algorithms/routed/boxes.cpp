@@ -1,0 +1,153 @@
+// Steps R.6 and R.7, the boxes. The placement is scaled into a first box, which grows by layers while
+// few edges in conflict are left. Then layouts are scaled into smaller boxes, all edges routed anew.
+// Where that fails, layers are cut off, one face after the other, and only what lay in them is routed
+// anew. Cost: the searches, of which each effort has a count; a box holds 5 bytes a point.
+#include "ar3d/algorithms/routed/boxes.h"
+
+#include <limits>
+
+#include "ar3d/algorithms/routed/check.h"
+#include "ar3d/algorithms/routed/layouts.h"
+#include "ar3d/base/error.h"
+
+namespace ar3d::routed {
+namespace {
+
+constexpr std::uint64_t kSeed = 0x726f75746564;  // any fixed number
+constexpr std::uint64_t kSearchesPerEdge = 300;  // of effort 1
+constexpr std::uint64_t kSearchesAnyway = 5000;
+constexpr std::uint64_t kStepsPerVertex = 4000;  // of the annealing
+constexpr int kPatience = 60;                    // rounds without gain, all edges routed anew
+constexpr int kPatienceOfCuts = 20;
+constexpr int kFirstBoxes = 10;
+constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+constexpr int kMostLayers = 5;  // that a box grows by before it is given up
+
+class BoxSearch {
+ public:
+  BoxSearch(const Graph& graph, const Words& words, const BoxOptions& options, BoxCounts& counts)
+      : graph_(graph),
+        words_(words),
+        points_(words.points()),
+        options_(options),
+        counts_(counts) {
+  }
+
+  std::optional<Routing> run() {
+    if (find_first() && options_.effort > 0) {
+      const std::uint64_t usual = kSearchesPerEdge * graph_.num_edges() + kSearchesAnyway;
+      most_searches_ = counts_.searches + (options_.effort == 2 ? 10 * usual : usual);
+      scale_down();
+      cut_off_layers();
+    }
+    return std::move(best_);
+  }
+
+ private:
+  bool may_go_on() const { return counts_.searches < most_searches_; }
+
+  /// Negotiates in a box; the routing is the best one if it is a drawing.
+  bool try_box(Routing given, int patience) {
+    const std::int64_t bytes = CostBox::bytes(points_, given.layout.limits);
+    if (bytes > options_.most_bytes || !may_go_on()) return false;
+    counts_.bytes = std::max(counts_.bytes, bytes);
+    ++counts_.boxes;
+    Negotiation negotiation(graph_, words_, std::move(given),
+                            mix_seed(kSeed, static_cast<std::uint64_t>(counts_.boxes)));
+    const std::size_t conflicts = negotiation.run(
+        {.rounds_without_gain = patience, .searches = most_searches_ - counts_.searches});
+    counts_.searches += negotiation.searches();
+    last_ = negotiation.routing();
+    if (conflicts > 0) {
+      counts_.conflicts = conflicts;
+      return false;
+    }
+    expect(is_drawing(graph_, points_, words_.bends(), last_),
+           "a routing without conflicts is a drawing");
+    ++counts_.legal;
+    best_ = last_;
+    best_->layout.limits = tight_limits(graph_, points_, last_);
+    return true;
+  }
+
+  bool find_first() {
+    const Placement placement = place(graph_, kStepsPerVertex, RandomStream(kSeed, 1));
+    const auto frames = choose_frames(graph_, points_, words_.bends(), RandomStream(kSeed, 2));
+    Limits box = first_box(points_, words_.bends(), graph_.num_vertices());
+    for (int go = 0; go < kFirstBoxes; ++go) {
+      const auto layout = spread(points_, placement, frames, box);
+      if (layout && (try_box({*layout, {}}, kPatience) || grow())) return true;
+      box.high = box.high + (1 + box.longest() / 10) * Spot{1, 1, 1};
+    }
+    return false;
+  }
+
+  /// Adds layers on all faces while few edges in conflict are left; all routes stay.
+  bool grow() {
+    for (int layers = 0; layers < kMostLayers; ++layers) {
+      if (counts_.conflicts > 12 + graph_.num_edges() / 25) return false;
+      Limits& limits = last_.layout.limits;
+      limits = {limits.low - Spot{1, 1, 1}, limits.high + Spot{1, 1, 1}};
+      if (try_box(last_, kPatience)) return true;
+    }
+    return false;
+  }
+
+  /// Boxes of sides smaller by 5 %, then 2.5 %, 1.25 % and 0.6 % after failures.
+  void scale_down() {
+    for (int fraction = 20; fraction <= 160 && may_go_on();) {
+      const Spot sides = best_->layout.limits.sides();
+      const auto shorter = [&](int side) { return side - 1 - side / fraction; };
+      const Limits box{{0, 0, 0}, {shorter(sides.x), shorter(sides.y), shorter(sides.z)}};
+      if (box.high.x < 1 || box.high.y < 1 || box.high.z < 1) return;
+      const auto layout = rescaled(points_, best_->layout, box);
+      if (!layout || !try_box({*layout, {}}, kPatience)) fraction *= 2;
+    }
+  }
+
+  /// One layer at a time, until none of the six faces can lose one in two goes.
+  void cut_off_layers() {
+    int failed = 0;
+    for (int face = 0; failed < 12 && may_go_on(); face = (face + 1) % 6) {
+      Limits box = best_->layout.limits;
+      const Spot unit = {face % 3 == 0, face % 3 == 1, face % 3 == 2};
+      if (face < 3) {
+        box.high = box.high - unit;
+      } else {
+        box.low = box.low + unit;
+      }
+      ++failed;
+      if (box.sides().x < 1 || box.sides().y < 1 || box.sides().z < 1) continue;
+      auto smaller = cut(graph_, points_, *best_, box);
+      if (smaller && try_box(std::move(*smaller), kPatienceOfCuts)) failed = 0;
+    }
+  }
+
+  const Graph& graph_;
+  const Words& words_;
+  const PointClass& points_;
+  BoxOptions options_;
+  BoxCounts& counts_;
+  std::uint64_t most_searches_ = kNoLimit;  // none until a box is legal
+  std::optional<Routing> best_;
+  Routing last_;
+};
+
+}  // namespace
+
+Limits first_box(const PointClass& points, int bends, std::uint64_t n) {
+  // c sqrt(n) + a, c in twentieths: what random graphs of 1,000 vertices need, nearly.
+  const std::int64_t c = points.is_body() ? (bends == 5 ? 53 : 70) : (bends == 5 ? 33 : 40);
+  std::int64_t side = 0;
+  while (400 * side * side < c * c * static_cast<std::int64_t>(n)) ++side;
+  side += 3;
+  const int last = static_cast<int>(side) - 1;
+  return {{0, 0, 0}, {last, last, last}};
+}
+
+std::optional<Routing> smallest_routing(const Graph& graph, const Words& words,
+                                        const BoxOptions& options, BoxCounts& counts) {
+  return BoxSearch(graph, words, options, counts).run();
+}
+
+}  // namespace ar3d::routed

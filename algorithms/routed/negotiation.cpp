@@ -1,0 +1,308 @@
+// Steps R.3 to R.5, negotiated congestion (PathFinder; McMurchie and Ebeling 1995): edges share
+// points at first, for a price that grows, until the price has parted them; the vertices of edges in
+// conflict are moved meanwhile. Edges are searched in groups, side by side against the prices of
+// that moment; their routes are then taken in turn, each only if it is still not dearer than the old
+// one. So threads change the time and not the drawing. Cost: the searches, nearly.
+#include "ar3d/algorithms/routed/negotiation.h"
+
+#include <algorithm>
+
+#include "ar3d/base/parallel.h"
+
+namespace ar3d::routed {
+namespace {
+
+constexpr std::size_t kEdgesAtOnce = 32;  // in a group
+constexpr std::size_t kWorthThreads = 6;     // searches side by side
+constexpr EdgeId kEdgesWorthThreads = 400;
+constexpr int kRoundsOfAll = 3;           // after them only edges in conflict are routed anew
+constexpr int kPriceCap = 200 * 16;
+
+}  // namespace
+
+Negotiation::Negotiation(const Graph& graph, const Words& words, Routing given, std::uint64_t seed)
+    : graph_(graph),
+      words_(words),
+      points_(words.points()),
+      now_(std::move(given)),
+      box_(points_, now_.layout.limits),
+      seed_(seed),
+      random_(seed),
+      conflicts_(graph.num_edges()),
+      moves_early_(words.bends() < 5) {
+  for (const Spot at : now_.layout.at) box_.put_vertex(box_.index(at));
+  if (now_.routes.empty()) now_.routes.resize(graph.num_edges());
+  for (EdgeId e = 0; e < graph_.num_edges(); ++e) put(e);
+  for (std::uint32_t t = 0; t < available_threads(); ++t) searchers_.emplace_back(words);
+}
+
+End Negotiation::end(Vertex v, Directions arms) const {
+  return {now_.layout.at[v], now_.layout.frame[v], arms};
+}
+
+std::vector<EdgeId> Negotiation::conflicts() {
+  std::vector<EdgeId> found;
+  for (EdgeId e = 0; e < graph_.num_edges(); ++e) {
+    if (is_in_conflict(e)) found.push_back(e);
+  }
+  conflicts_ = found.size();
+  return found;
+}
+
+void Negotiation::search_side_by_side(
+    std::size_t count, const std::function<void(RouteSearch&, std::size_t)>& search) {
+  const bool is_worth_it = count >= kWorthThreads && graph_.num_edges() >= kEdgesWorthThreads;
+  const auto threads = static_cast<std::uint32_t>(is_worth_it ? searchers_.size() : 1);
+  for_each_in_threads(threads, count, [&](std::uint32_t thread, std::size_t i) {
+    search(searchers_[thread], i);
+  });
+}
+
+void Negotiation::route_group(std::span<const EdgeId> edges) {
+  std::array<Route, kEdgesAtOnce> found;
+  const std::uint64_t group = ++groups_;
+  for (const EdgeId e : edges) take(e);
+  search_side_by_side(edges.size(), [&](RouteSearch& search, std::size_t i) {
+    const Edge ends = graph_.edge(edges[i]);
+    RandomStream random(mix_seed(seed_, group), i);
+    const auto arms = [&](Vertex v) { return points_.frames()[now_.layout.frame[v]]; };
+    search.find(box_, end(ends.u, arms(ends.u)), end(ends.v, arms(ends.v)),
+                cost_of(edges[i]) + tolerance(), lengths_, random, found[i]);
+  });
+  searches_ += edges.size();
+  for (const EdgeId e : edges) put(e);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (!found[i]) continue;
+    const EdgeId e = edges[i];
+    take(e);
+    if (box_.cost_of(start(e), found[i]) < cost_of(e) + tolerance()) now_.routes[e] = found[i];
+    put(e);
+  }
+}
+
+void Negotiation::route_all(std::vector<EdgeId>& edges) {
+  random_.shuffle(std::span(edges));
+  const std::size_t size = std::clamp<std::size_t>(edges.size() / 8, 1, kEdgesAtOnce);
+  for (std::size_t i = 0; i < edges.size(); i += size) {
+    route_group(std::span(edges).subspan(i, std::min(size, edges.size() - i)));
+  }
+}
+
+void Negotiation::place(Vertex v, Spot at, std::size_t frame) {
+  box_.take_vertex(box_.index(now_.layout.at[v]));
+  now_.layout.at[v] = at;
+  now_.layout.frame[v] = static_cast<std::uint8_t>(frame);
+  box_.put_vertex(box_.index(at));
+}
+
+/// What the edges of a vertex cost, each beside all others.
+int Negotiation::price_edges(Vertex v) {
+  std::int64_t total = 0;
+  for (const HalfEdge& half : graph_.incident(v)) {
+    take(half.edge);
+    total += cost_of(half.edge);
+    put(half.edge);
+  }
+  return static_cast<int>(std::min<std::int64_t>(total, CostBox::kNoRoute));
+}
+
+/// A random point near the vertex, or another frame.
+bool Negotiation::propose(Vertex v, Trial& trial) {
+  const Layout& layout = now_.layout;
+  int largest = 6;
+  if (conflicts_ <= 40 && random_.chance(1, 3)) largest = std::max(6, layout.limits.longest() / 5);
+  const auto radius = static_cast<int>(1 + random_.below(static_cast<std::uint32_t>(largest)));
+  const auto shift = [&] {
+    return static_cast<int>(random_.below(static_cast<std::uint32_t>(2 * radius + 1))) - radius;
+  };
+  const Spot old = layout.at[v];
+  Spot at = {old.x + shift(), old.y + shift(), old.z + shift()};
+  if (points_.is_body()) {
+    at.y ^= (at.x ^ at.y) & 1;
+    at.z ^= (at.x ^ at.z) & 1;
+  } else if (!points_.contains(at)) {
+    at.x ^= 1;
+  }
+  trial.vertex = v;
+  trial.frame = layout.frame[v];
+  if ((!points_.is_body() || words_.bends() == 4) && random_.chance(1, 2)) {
+    trial.frame = random_.below(static_cast<std::uint32_t>(points_.frames().size()));
+    if (random_.chance(1, 2)) at = old;
+  }
+  trial.at = at;
+  if (!box_.contains(at)) return false;
+  const int i = box_.index(at);
+  return at == old ? trial.frame != layout.frame[v] : !box_.has_vertex(i) && box_.uses(i) == 0;
+}
+
+/// Routes the edges of the trial's vertex from its new place, in different arms.
+void Negotiation::search_trial(Trial& trial, RouteSearch& search) {
+  RandomStream random(mix_seed(seed_, groups_), 1000 + trial.vertex);
+  const std::vector<Directions>& frames = points_.frames();
+  Directions free = frames[trial.frame];
+  int left = trial.limit;
+  std::size_t k = 0;
+  for (const HalfEdge& half : graph_.incident(trial.vertex)) {
+    Route& route = trial.routes[k++];
+    const End moved{trial.at, trial.frame, free};
+    const Vertex w = half.to;
+    const End other = end(w, frames[now_.layout.frame[w]]);
+    const bool starts = graph_.edge(half.edge).u == trial.vertex;
+    ++trial.searches;
+    const int cost = search.find(box_, starts ? moved : other, starts ? other : moved, left,
+                                 lengths_, random, route);
+    if (!route) {
+      trial.routes = {};
+      return;
+    }
+    left -= cost;
+    const int arm = starts ? route.direction[0]
+                           : PointClass::opposite(route.direction[route.segments - 1]);
+    free = without(free, arm);
+  }
+}
+
+/// Moves the vertex if the routes found are not dearer than the present ones by now.
+bool Negotiation::settle(const Trial& trial) {
+  const Vertex v = trial.vertex;
+  const auto edges = graph_.incident(v);
+  const Spot old_at = now_.layout.at[v];
+  const std::size_t old_frame = now_.layout.frame[v];
+  if (!(trial.at == old_at) &&
+      (box_.has_vertex(box_.index(trial.at)) || box_.uses(box_.index(trial.at)) > 0)) {
+    return false;
+  }
+  const int before = price_edges(v);
+  std::array<Route, 4> old;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    take(edges[k].edge);
+    old[k] = now_.routes[edges[k].edge];
+  }
+  place(v, trial.at, trial.frame);
+  std::int64_t after = 0;
+  std::size_t added = 0;
+  while (added < edges.size() && after < before + tolerance()) {
+    const EdgeId e = edges[added].edge;
+    now_.routes[e] = trial.routes[added];
+    after += cost_of(e);
+    if (after >= before + tolerance()) break;
+    put(e);
+    ++added;
+  }
+  if (added == edges.size()) return true;
+  for (std::size_t k = 0; k < added; ++k) take(edges[k].edge);
+  place(v, old_at, old_frame);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    now_.routes[edges[k].edge] = old[k];
+    put(edges[k].edge);
+  }
+  return false;
+}
+
+void Negotiation::move_group(std::span<Trial> trials) {
+  ++groups_;
+  std::vector<EdgeId> edges;
+  for (Trial& trial : trials) {
+    trial.limit = price_edges(trial.vertex) + tolerance();
+    for (const HalfEdge& half : graph_.incident(trial.vertex)) edges.push_back(half.edge);
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (const EdgeId e : edges) take(e);
+  search_side_by_side(trials.size(), [&](RouteSearch& search, std::size_t i) {
+    search_trial(trials[i], search);
+  });
+  for (const EdgeId e : edges) put(e);
+  std::vector<Vertex> moved;
+  const auto has_moved = [&](Vertex v) {
+    return std::find(moved.begin(), moved.end(), v) != moved.end();
+  };
+  for (const Trial& trial : trials) {
+    searches_ += trial.searches;
+    const auto around = graph_.incident(trial.vertex);
+    const bool is_stale = std::any_of(around.begin(), around.end(), [&](const HalfEdge& half) {
+      return has_moved(half.to);
+    });
+    if (!is_stale && trial.routes[0] && settle(trial)) moved.push_back(trial.vertex);
+  }
+}
+
+void Negotiation::move_vertices(const std::vector<EdgeId>& edges) {
+  std::vector<Vertex> vertices;
+  for (const EdgeId e : edges) {
+    vertices.insert(vertices.end(), {graph_.edge(e).u, graph_.edge(e).v});
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  random_.shuffle(std::span(vertices));
+  const int goes = edges.size() <= 6 ? 10 : edges.size() <= 20 ? 4 : 1;
+  const std::size_t size = std::clamp<std::size_t>(vertices.size() / 8, 1, kEdgesAtOnce / 4);
+  std::vector<Trial> trials;
+  for (int go = 0; go < goes; ++go) {
+    for (std::size_t i = 0; i < vertices.size(); i += size) {
+      trials.clear();
+      for (std::size_t k = i; k < std::min(vertices.size(), i + size); ++k) {
+        const auto at_it = graph_.incident(vertices[k]);
+        if (goes > 1 && std::none_of(at_it.begin(), at_it.end(), [&](const HalfEdge& half) {
+              return is_in_conflict(half.edge);
+            })) {
+          continue;
+        }
+        Trial trial;
+        if (propose(vertices[k], trial)) trials.push_back(trial);
+      }
+      if (!trials.empty()) move_group(trials);
+    }
+  }
+}
+
+void Negotiation::raise_prices(int round) {
+  box_.remember_shared(increase_ / 4);
+  if (round > 6) increase_ = std::min(16, increase_ + std::max(1, increase_ * 3 / 20));
+  const int before = price_ / 16;
+  price_ = std::min(kPriceCap, price_ + price_ / 4);
+  if (price_ / 16 == before) return;
+  box_.set_price(price_ / 16);
+  for (EdgeId e = 0; e < graph_.num_edges(); ++e) box_.refresh(start(e), now_.routes[e]);
+}
+
+void Negotiation::choose_lengths() {
+  const std::size_t edges = graph_.num_edges();
+  lengths_.near_of_three = conflicts_ <= 12 ? 3 : 2;
+  lengths_.near_of_two = conflicts_ <= 12 ? 16 : 10;
+  lengths_.random = conflicts_ <= 6    ? 8
+                    : conflicts_ <= 20 ? 6
+                                       : 1 + (conflicts_ * 20 < edges) + (conflicts_ * 100 < edges) * 2;
+}
+
+std::size_t Negotiation::run(const Patience& patience) {
+  std::size_t fewest = graph_.num_edges() + 1;
+  int without_gain = 0;
+  std::vector<EdgeId> edges = conflicts();
+  const int rounds_of_all = edges.size() == graph_.num_edges() ? kRoundsOfAll : 0;
+  for (int round = 0; round < patience.rounds && conflicts_ > 0; ++round) {
+    if (searches_ >= patience.searches) break;
+    route_all(edges);
+    edges = conflicts();
+    if (round >= 2 && (moves_early_ || edges.size() * 4 < graph_.num_edges())) {
+      move_vertices(edges);
+      edges = conflicts();
+    }
+    raise_prices(round);
+    if (edges.size() * 100 < fewest * 97) {
+      fewest = edges.size();
+      without_gain = 0;
+    } else if (round > 12 && ++without_gain > patience.rounds_without_gain) {
+      break;
+    }
+    if (round < rounds_of_all) {
+      edges.resize(graph_.num_edges());
+      for (EdgeId e = 0; e < graph_.num_edges(); ++e) edges[e] = e;
+    } else {
+      choose_lengths();
+    }
+  }
+  return conflicts_;
+}
+
+}  // namespace ar3d::routed

@@ -1,0 +1,241 @@
+// Algorithms `routed` and `routed-120`: small graphs, unions and options; the search by words against
+// the plain search over all points, the check of routings against broken ones.
+#include <bit>
+#include <functional>
+#include <map>
+#include <queue>
+#include <set>
+
+#include "algorithms/routed_support.h"
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/routed/boxes.h"
+#include "ar3d/algorithms/routed/check.h"
+#include "ar3d/generators/catalog.h"
+#include "support/problem.h"
+
+namespace ar3d::testing {
+namespace {
+
+using routed::CostBox;
+using routed::Directions;
+using routed::End;
+using routed::PointClass;
+using routed::Route;
+using routed::Routing;
+using routed::Spot;
+using routed::Words;
+
+const PointClass& class_of(bool is_body) {
+  return is_body ? PointClass::body() : PointClass::face();
+}
+
+TEST(Routed, DifferentStepsOfAClassHaveDifferentMiddles) {
+  for (const bool is_body : {true, false}) {
+    const PointClass& points = class_of(is_body);
+    std::map<std::tuple<int, int, int>, int> middles;
+    for (int i = 0; i < 6 * 6 * 6; ++i) {
+      const Spot p = {i % 6, i / 6 % 6, i / 36};
+      if (!points.contains(p)) continue;
+      for (int d = 0; d < points.num_directions(); d += 2) {  // one of two opposite ones
+        const Spot q = p + points.step(d);
+        EXPECT_TRUE(points.contains(q));
+        ++middles[{p.x + q.x, p.y + q.y, p.z + q.z}];
+      }
+    }
+    EXPECT_GT(middles.size(), 150u);
+    for (const auto& [middle, steps] : middles) EXPECT_EQ(steps, 1);
+  }
+}
+
+TEST(Routed, ClassesHaveTheAnglesOfTheTwoRows) {
+  EXPECT_EQ(PointClass::body().frames().size(), 2u);
+  EXPECT_EQ(PointClass::face().frames().size(), 8u);
+  for (const bool is_body : {true, false}) {
+    const PointClass& points = class_of(is_body);
+    for (int d = 0; d < points.num_directions(); ++d) {
+      EXPECT_EQ(points.step(PointClass::opposite(d)), -1 * points.step(d));
+      EXPECT_EQ(std::popcount(points.turns(d)), is_body ? 3 : 4);
+    }
+  }
+}
+
+/// The cheapest walk of at most so many bends, by Dijkstra over points, directions and bends.
+int plain_search(const CostBox& box, const PointClass& points, const End& u, const End& v,
+                 int bends) {
+  using State = std::tuple<int, int, int, int, int>;  // x, y, z, direction, bends
+  std::map<State, int> cost;
+  std::priority_queue<std::pair<int, State>> queue;
+  const auto reach = [&](Spot from, int d, int bent, int so_far) {
+    const Spot p = from + points.step(d);
+    if (!box.contains(p)) return;
+    int more = CostBox::kStep;
+    if (p == v.at) {
+      if (!routed::has(v.arms, PointClass::opposite(d))) return;
+    } else {
+      if (box.cost(box.index(p)) == CostBox::kBlocked) return;
+      more += box.cost(box.index(p));
+    }
+    const State state{p.x, p.y, p.z, d, bent};
+    const auto [at, is_new] = cost.try_emplace(state, so_far + more);
+    if (!is_new && at->second <= so_far + more) return;
+    at->second = so_far + more;
+    queue.emplace(-at->second, state);
+  };
+  for (int d = 0; d < points.num_directions(); ++d) {
+    if (routed::has(u.arms, d)) reach(u.at, d, 0, 0);
+  }
+  while (!queue.empty()) {
+    const auto [negative, state] = queue.top();
+    queue.pop();
+    const auto [x, y, z, d, bent] = state;
+    if (cost.at(state) != -negative) continue;
+    if (Spot{x, y, z} == v.at) return -negative;
+    reach({x, y, z}, d, bent, -negative);
+    for (int e = 0; e < points.num_directions() && bent < bends; ++e) {
+      if (routed::has(points.turns(d), e)) reach({x, y, z}, e, bent + 1, -negative);
+    }
+  }
+  return CostBox::kNoRoute;
+}
+
+TEST(Routed, WordsOfThreeBendsFindWhatThePlainSearchFinds) {
+  std::map<int, int> equal;  // by number of bends
+  std::map<int, int> routes;
+  for (const bool is_body : {true, false}) {
+    const PointClass& points = class_of(is_body);
+    for (const int bends : {3, 5}) {
+      const Words& words = Words::of(points, bends);
+      routed::RouteSearch search(words);
+      RandomStream random(7);
+      for (int go = 0; go < 60; ++go) {
+        CostBox box(points, {{-3, 0, 0}, {6, 8, 9}});
+        std::vector<Spot> spots;
+        while (spots.size() < 40) {
+          const Spot p = {static_cast<int>(random.below(10)) - 3, static_cast<int>(random.below(9)),
+                          static_cast<int>(random.below(10))};
+          if (!points.contains(p) || box.has_vertex(box.index(p))) continue;
+          if (spots.size() < 30) box.put_vertex(box.index(p));
+          spots.push_back(p);
+        }
+        const auto frame = [&](std::size_t i) { return i % points.frames().size(); };
+        const End u{spots[0], frame(0), points.frames()[frame(0)]};
+        const End v{spots[1], frame(1 + is_body), points.frames()[frame(1 + is_body)]};
+        Route route;
+        const int cost =
+            search.find(box, u, v, CostBox::kNoRoute, {2, 10, 8}, random, route);
+        const int plain = plain_search(box, points, u, v, bends);
+        EXPECT_GE(cost, plain);
+        if (!route) continue;
+        ++routes[bends];
+        EXPECT_EQ(cost, box.cost_of(u.at, route));
+        equal[bends] += cost == plain;
+      }
+    }
+  }
+  EXPECT_GT(routes[3], 70);
+  EXPECT_EQ(equal[3], routes[3]);
+  EXPECT_GT(equal[5], routes[5] * 9 / 10) << "not all lengths are tried";
+}
+
+TEST(Routed, SmallGraphsAreRoutedAndCertified) {
+  int fall_backs = 0;
+  for (int n = 1; n <= 5; ++n) {
+    for (const Graph& graph : geng("-D4 " + std::to_string(n))) {
+      ASSERT_EQ(routed_fault(graph, routed::row_109(), 3, 0, &fall_backs), "");
+      if (graph.max_degree() > 3) continue;
+      ASSERT_EQ(routed_fault(graph, routed::row_120(), 3, 0, &fall_backs), "");
+    }
+  }
+  EXPECT_EQ(fall_backs, 0);
+  const Graph several = disjoint_union({complete(5), octahedron(), Graph(3, {}), cycle(7)});
+  for (const std::int64_t bends : {3, 4, 5}) {
+    EXPECT_EQ(routed_fault(several, routed::row_109(), bends, 0), "") << bends;
+    EXPECT_EQ(routed_fault(petersen(), routed::row_120(), bends, 0), "") << bends;
+  }
+  EXPECT_EQ(routed_fault(petersen(), routed::row_120(), 3, 1), "");
+  EXPECT_EQ(routed_fault(Graph(0, {}), routed::row_109(), 3, 1), "");
+}
+
+TEST(Routed, OptionsOutOfRangeAndTooLittleMemoryAreRefused) {
+  const auto refusal = [](const Graph& graph, const routed::Options& options) {
+    return problem([&] { routed::draw_109(graph, options); }, "drawn");
+  };
+  EXPECT_THAT(refusal(path(3), {.bends = 2}), HasSubstr("routed takes bends from 3 to 5, not 2"));
+  EXPECT_THAT(refusal(path(3), {.effort = 3}), HasSubstr("routed has efforts 0 to 2, not 3"));
+  EXPECT_THAT(refusal(path(9999), {.effort = 0, .megabytes = 20}),
+              HasSubstr("box, but option megabytes allows 20"));
+  EXPECT_EQ(value_of(routed::draw_109(path(20001), {.effort = 0}).counters, "routed"), 0);
+}
+
+/// A routing of K4 that is a drawing.
+Routing routing_of_k4(const Graph& graph) {
+  routed::BoxCounts counts;
+  const auto found = routed::smallest_routing(graph, Words::of(PointClass::body(), 3),
+                                              {.effort = 0, .most_bytes = 1 << 20}, counts);
+  return found.value();
+}
+
+TEST(Routed, BrokenRoutingsAreNoDrawings) {
+  const Graph graph = complete(4);
+  const PointClass& points = PointClass::body();
+  const Routing right = routing_of_k4(graph);
+  ASSERT_TRUE(routed::is_drawing(graph, points, 3, right));
+  EXPECT_FALSE(routed::is_drawing(graph, points, 2, right)) << "a bend too many";
+  EXPECT_FALSE(routed::is_drawing(graph, PointClass::face(), 3, right)) << "wrong class";
+  Routing broken = right;
+  broken.layout.frame[0] ^= 1;
+  EXPECT_FALSE(routed::is_drawing(graph, points, 3, broken)) << "wrong frame";
+  broken = right;
+  broken.layout.at[0] = broken.layout.at[1];
+  EXPECT_FALSE(routed::is_drawing(graph, points, 3, broken)) << "two vertices at one point";
+  broken = right;
+  broken.routes[0].length[0] += 2;
+  EXPECT_FALSE(routed::is_drawing(graph, points, 3, broken)) << "misses its end";
+  broken = right;
+  broken.routes[0] = {};
+  EXPECT_FALSE(routed::is_drawing(graph, points, 3, broken)) << "no route";
+  broken = right;
+  broken.layout.limits.high = broken.layout.limits.high - Spot{1, 1, 1};
+  EXPECT_FALSE(routed::is_drawing(graph, points, 3, broken)) << "outside of the box";
+}
+
+TEST(Routed, TheVerifierFindsAPointUsedTwiceAWrongFrameAndABendTooMany) {
+  const Graph graph = octahedron();
+  const Guarantee guarantee = routed::row_109().guarantee;
+  const Drawing drawing = routed::draw_109(graph, {.effort = 0});
+  const auto kinds = [&](const std::function<void(std::vector<std::vector<Point>>&)>& change,
+                         const Guarantee& promised) {
+    std::vector<std::vector<Point>> lines;
+    for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& line) { lines.push_back(line); });
+    change(lines);
+    auto bends = std::make_shared<StoredBends>();
+    for (const auto& line : lines) bends->add_edge({line.begin() + 1, line.end() - 1});
+    Coordinates at(graph.num_vertices(), 1000);
+    for (Vertex v = 0; v < graph.num_vertices(); ++v) at.set(v, drawing.vertex(v));
+    const Drawing other("routed", kCubeLattice, std::move(at), graph.shared_edges(), bends);
+    std::set<ViolationKind> found;
+    for (const Violation& violation : certify(graph, other, promised).violations) {
+      found.insert(violation.kind);
+    }
+    return found;
+  };
+  const auto nothing = [](auto&) {};
+  EXPECT_EQ(kinds(nothing, guarantee).size(), 0u);
+  Guarantee fewer = guarantee;
+  fewer.max_bends = 2;
+  EXPECT_EQ(kinds(nothing, fewer).count(ViolationKind::bends), 1u);
+  const auto twice = [](auto& lines) { lines[0].insert(lines[0].begin() + 1, lines[5][1]); };
+  EXPECT_FALSE(kinds(twice, guarantee).empty());
+  EXPECT_EQ(kinds(twice, guarantee).count(ViolationKind::vertex_on_edge) +
+                kinds(twice, guarantee).count(ViolationKind::crossing) > 0,
+            true);
+  const auto same_arm = [](auto& lines) {
+    const Point p = lines[0][0];
+    const Vector d = lines[1][1] - lines[1][0];
+    lines[0][1] = p + primitive(d);
+  };
+  EXPECT_EQ(kinds(same_arm, guarantee).count(ViolationKind::vertex_angle), 1u);
+}
+
+}  // namespace
+}  // namespace ar3d::testing
