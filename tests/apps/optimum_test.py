@@ -8,8 +8,9 @@ import pathlib
 import signal
 import subprocess
 
-from program import AR3D, Program, main, read, run, write
+from program import AR3D, SOURCE, Program, main, read, run, write
 
+TABLE = f"{SOURCE}/results/reference/optima"
 PROMISE = {"109.47": "--cosine -1/3 --exactly --directions 1,1,1:1,1,-1:1,-1,1:1,-1,-1",
            "120": "--cosine -1/2 --exactly --directions 1,1,0:1,-1,0:1,0,1:1,0,-1:0,1,1:0,1,-1"}
 K4, TRIANGLE = "C~\n", "Bw\n"
@@ -18,6 +19,23 @@ K4, TRIANGLE = "C~\n", "Bw\n"
 def extents_and_ones(drawing):
     points = drawing["vertices"] + [bend for _, _, bends in drawing["edges"] for bend in bends]
     return sorted(max(axis) - min(axis) + 1 for axis in zip(*points, strict=True))
+
+
+def canonical(graphs):
+    write("some.g6", "".join(graph + "\n" for graph in graphs))
+    return run("nauty-labelg -q some.g6").out.split()
+
+
+def edges(graph):
+    bits = [ord(c) - 63 >> 5 - k & 1 for c in graph[1:] for k in range(6)]
+    pairs = [(i, j) for j in range(ord(graph[0]) - 63) for i in range(j)]
+    return [pair for pair, bit in zip(pairs, bits) if bit]
+
+
+def graph6(n, chosen):
+    bits = [int((i, j) in chosen) for j in range(n) for i in range(j)]
+    bits += [0] * (-len(bits) % 6)
+    return chr(63 + n) + "".join(chr(63 + int("".join(map(str, bits[i:i + 6])), 2)) for i in range(0, len(bits), 6))
 
 
 def checker(test):
@@ -147,6 +165,64 @@ class Promises(Program):
                             "--bends 3 --cosine -1/3 --exactly --plane x=0": "'x=0'",
                             "--bends 3 --cosine -1/3 --exactly --at-least": "--at-least"}.items():
             self.refused("ar3d verify c.jsonl " + words, part)
+
+
+class KnownOptima(Program):
+    def rows(self):
+        with open(TABLE + ".csv", encoding="ascii") as file:
+            return list(csv.DictReader(file))
+
+    def test_are_drawn_in_the_boxes_stated(self):
+        groups = collections.defaultdict(list)
+        for row, line in zip(self.rows(), read(TABLE + ".jsonl").splitlines(), strict=True):
+            if row["volume"]:
+                groups[row["angle"], row["bends"], row["plane"]].append((row, line))
+        for (angle, bends, plane), group in groups.items():
+            write("some.jsonl", "".join(line + "\n" for _, line in group))
+            write("some.g6", "".join(row["graph6"] + "\n" for row, _ in group))
+            self.expect(f"ar3d verify some.jsonl --graphs some.g6 --bends {bends} {PROMISE[angle]} {'--plane z=0' if plane == '1' else ''}",
+                        out=f"{len(group)} certified, 0 violated")
+            for row, line in group:
+                box = extents_and_ones(json.loads(line))
+                self.assertEqual([str(side) for side in box], [row["x"], row["y"], row["z"]])
+                self.assertEqual(box[0] * box[1] * box[2], int(row["volume"]))
+                self.assertLessEqual(int(row["at_least"]), int(row["volume"]))
+
+    def test_of_all_small_graphs_are_there(self):
+        closed = collections.Counter((row["set"], row["n"]) for row in self.rows() if row["at_least"] == row["volume"])
+        for name, counts in {"109-small-3": [1, 2, 6, 21], "109-small-5": [1, 2, 6, 21], "120-small-3": [1, 2, 6, 10]}.items():
+            self.assertEqual([closed[name, str(n)] for n in (2, 3, 4, 5)], counts)
+
+    def test_shrink_with_edges_taken_away_and_with_more_bends(self):
+        rows = [row for row in self.rows() if row["volume"]]
+        names = dict(zip([row["graph6"] for row in rows], canonical([row["graph6"] for row in rows])))
+        known = collections.defaultdict(dict)
+        for row in rows:
+            known[row["angle"], row["plane"], int(row["bends"])][names[row["graph6"]]] = row
+        pairs = 0
+        for table in known.values():
+            whole = [(graph, edge) for graph in table for edge in edges(graph)]
+            less = canonical([graph6(ord(g[0]) - 63, set(edges(g)) - {edge}) for g, edge in whole])
+            for (graph, _), part in zip(whole, less):
+                if part in table:
+                    self.assertLessEqual(int(table[part]["at_least"]), int(table[graph]["volume"]), (part, graph))
+                    pairs += 1
+        self.assertGreater(pairs, 250)
+        for (angle, plane, bends), table in known.items():
+            for more in (4, 5):
+                for graph, row in known.get((angle, plane, more), {}).items():
+                    if graph in table and more > bends:
+                        self.assertLessEqual(int(row["at_least"]), int(table[graph]["volume"]))
+
+
+class KnownOptimaLong(Program):
+    def test_are_found_again(self):
+        for angle, table in (("109.47", "109-small-3"), ("120", "120-small-3")):
+            with open(TABLE + ".csv", encoding="ascii") as file:
+                rows = [row for row in csv.DictReader(file) if row["set"] == table]
+            write("some.g6", "".join(row["graph6"] + "\n" for row in rows))
+            found = json.loads(self.expect(f"ar3d optimum some.g6 --angle {angle} --json -q").out)["graphs"]
+            self.assertEqual([str(one["at_most"]) for one in found], [row["volume"] for row in rows])
 
 
 class OptimumLong(Program):
