@@ -74,7 +74,7 @@ class EdgeListParser final : public GraphParser {
     const std::size_t word = line.find_first_not_of(" \t", 1);
     const bool is_one_word = word != std::string_view::npos && word > 1 &&
                              line.find_first_of(" \t", word) == std::string_view::npos;
-    if (graph_.num_rows() == 0) {
+    if (graph_.num_rows() == 0 && !shape_.heading) {
       is_like_lgl_ = is_like_lgl_ || (input_.line() == 1 && line[0] == '#' && is_one_word);
     } else if (!shape_.is_forced && line[0] == '#' &&
                (word == std::string_view::npos || is_one_word)) {

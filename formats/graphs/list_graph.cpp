@@ -216,9 +216,10 @@ Graph ListGraph::finish() {
 void ListGraph::decide_heading() {
   const First first = *std::exchange(first_, std::nullopt);
   const bool is_above_numbers = !is_named_;
+  const bool has_number =
+      is_whole_number(first.fields[0].text) || is_whole_number(first.fields[1].text);
   const bool is_edge = (first.fields.size() > 2 && !first.fields[2].text.empty()) ||
-                       is_whole_number(first.fields[0].text) ||
-                       is_whole_number(first.fields[1].text);
+                       (is_above_numbers && has_number);
   const bool wants_edge = options_.first_line == FirstLine::edge;
   const bool wants_heading = options_.first_line == FirstLine::header;
   if (is_above_numbers) {

@@ -112,6 +112,10 @@ class SeveralFiles(Program):
         self.expect("ar3d hunt --algorithm grid --graphs c.g6 --graphs a.edges --evaluations 20", out="comes from 2 files (")
 
     def test_names_travel_to_drawings_pages_and_exports(self):
+        write("one.edges", "# Nodes: 3 Edges: 2\n1 2\n2 3\n")
+        said = self.expect("ar3d draw one.edges --algorithm grid -o /dev/null", err="ar3d: note: one.edges:1: ids are from 1 to 3\n")
+        self.assertEqual(said.err.count("\n"), 1)
+        self.expect("ar3d study run --graphs one.edges --algorithm grid -o one.h5 && grep -q 'ids are from 1 to 3' one.html", err="ids are from 1")
         self.expect("ar3d draw a.edges b.gml --algorithm grid -o d.jsonl")
         self.assertHas(read("d.jsonl"), (',"names":["alice","bob","carol"]}\n', '"names":["<x> & y","2"]}'))
         self.expect("ar3d verify d.jsonl && ar3d view d.jsonl")

@@ -66,7 +66,7 @@ class Source:
         return graph
 
     def odd_names(self):
-        renamed = {v: "".join(self.rng.choice(ODD) for _ in range(self.rng.randint(1, 6))).strip() or "x" for v in self.ids}
+        renamed = {v: "".join(self.rng.choice(ODD) for _ in range(self.rng.randint(1, 6))).strip(" #%+-.0") or "x" for v in self.ids}
         renamed = {v: name if list(renamed.values()).count(name) == 1 else f"{v}" for v, name in renamed.items()}
         return [(renamed[u], renamed[v]) for u, v in self.edges]
 
@@ -285,7 +285,7 @@ class Readings(unittest.TestCase):
             return f"{kind}: read, but the reference has loops, parallel edges or arcs"
         graph = answer["graphs"][0]
         first = 1 if any("ids are from 1" in note for note in answer["notes"]) else 0
-        names = [html.unescape(name) for name in graph["names"]] or [str(v + first) for v in range(graph["n"])]
+        names = [html.unescape(name).strip() for name in graph["names"]] or [str(v + first) for v in range(graph["n"])]
         edges = {frozenset((names[u], names[v])) for u, v in graph["edges"]}
         alone = set(names) - set().union(*edges, set())
         reference_alone = wanted.vertices - set().union(*wanted.edges, set())
