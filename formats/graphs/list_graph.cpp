@@ -241,8 +241,9 @@ void ListGraph::decide_heading() {
     named_.drop_first_edge();
     return drop_heading(first);
   }
-  if (wants_edge || is_edge || is_joined || shape_->is_forced) return;
   const bool is_known = ends_of_heading(first.fields).has_value();
+  if (wants_edge || shape_->is_forced) return;
+  if ((is_edge || is_joined) && !(is_alone && is_known)) return;
   if (is_alone && !is_known && (shape_->cut.separator != 0 || shape_->cut.has_quotes)) return;
   const std::string words = fmt::format("'{} {}'", first.fields[0].text, first.fields[1].text);
   if (is_alone) {
@@ -315,7 +316,7 @@ void ListGraph::decide_ids() {
                       fmt::format("{} vertices stated, but ids go up to {}", n,
                                   range.end - 1 + *options_.base));
     }
-    settle(n, *options_.base);
+    if (stated_.vertices) settle(n, *options_.base);
     return note_missing(n, stated_.vertices ? stated_.vertices->line : 0);
   }
   if (stated_.vertices) return decide_ids_by_head(stated_.vertices->count);
@@ -336,6 +337,7 @@ void ListGraph::decide_ids() {
 }
 
 void ListGraph::note_missing(std::uint64_t n, std::uint64_t line) const {
+  edges_.checked_n();  // not more than the text accounts for
   const std::uint64_t named = edges_.num_named();
   if (named < n) note_(line, fmt::format("{} of {} vertices are in no line", n - named, n));
 }

@@ -211,6 +211,12 @@ bool is_attribute(const ListField& field) {
 std::optional<std::string> end_problem(const ListField& field, bool is_headed) {
   const std::string& text = field.text;
   if (text.empty()) return "an end of an edge is missing";
+  const auto is_control = [&](char c) {
+    return (static_cast<unsigned char>(c) < ' ' || c == '\x7f') && !(field.is_quoted && c == '\t');
+  };
+  if (std::ranges::any_of(text, is_control)) {
+    return fmt::format("{} holds a control character", shown(text));
+  }
   if (field.is_quoted || is_whole_number(text)) return std::nullopt;
   for (const char* missing : {"NA", "N/A", "NaN", "nan", "NULL", "null", "None"}) {
     if (text == missing)

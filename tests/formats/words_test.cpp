@@ -126,7 +126,7 @@ TEST(ListsOfNames, GiveTheirVerticesNames) {
 TEST(NetworkxAdjacencyLists, AreKnownByTheirHead) {
   const std::string head = "#write.py\n# GMT Mon Nov 23 05:03:29 2026\n# \n";
   EXPECT_EQ(edge_set(read_named(head + "0 1 2\n1 2\n2\n").graph), edge_set(cycle(3)));
-  EXPECT_EQ(refusal(head + "0 1\n1 {}\n1 0\n"), "f:5:3: '{}' is no name of a list of networkx")
+  EXPECT_EQ(refusal(head + "0 1\n1 {}\n1 0\n"), "f:5:3: expected a vertex id, found '{}'")
       << "those of several lines a vertex are others";
 }
 
