@@ -92,8 +92,8 @@ void CostBox::remember_shared(int increase) {
   std::erase_if(shared_, [this](int i) { return uses(i) < 2; });
   for (const int i : shared_) {
     const auto at = static_cast<std::size_t>(i);
-    history_[at] = static_cast<std::uint16_t>(
-        std::min(kMostHistory, history_[at] + increase * (uses(i) - 1)));
+    history_[at] =
+        static_cast<std::uint16_t>(std::min(kMostHistory, history_[at] + increase * (uses(i) - 1)));
     set_cost(at);
   }
 }

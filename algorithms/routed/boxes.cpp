@@ -26,12 +26,7 @@ constexpr int kMostLayers = 5;  // that a box grows by before it is given up
 class BoxSearch {
  public:
   BoxSearch(const Graph& graph, const Words& words, const BoxOptions& options, BoxCounts& counts)
-      : graph_(graph),
-        words_(words),
-        points_(words.points()),
-        options_(options),
-        counts_(counts) {
-  }
+      : graph_(graph), words_(words), points_(words.points()), options_(options), counts_(counts) {}
 
   std::optional<Routing> run() {
     if (find_first() && options_.effort > 0) {

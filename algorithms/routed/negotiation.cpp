@@ -13,9 +13,9 @@ namespace ar3d::routed {
 namespace {
 
 constexpr std::size_t kEdgesAtOnce = 32;  // in a group
-constexpr std::size_t kWorthThreads = 6;     // searches side by side
+constexpr std::size_t kWorthThreads = 6;  // searches side by side
 constexpr EdgeId kEdgesWorthThreads = 400;
-constexpr int kRoundsOfAll = 3;           // after them only edges in conflict are routed anew
+constexpr int kRoundsOfAll = 3;  // after them only edges in conflict are routed anew
 constexpr int kPriceCap = 200 * 16;
 
 }  // namespace
@@ -53,9 +53,8 @@ void Negotiation::search_side_by_side(
     std::size_t count, const std::function<void(RouteSearch&, std::size_t)>& search) {
   const bool is_worth_it = count >= kWorthThreads && graph_.num_edges() >= kEdgesWorthThreads;
   const auto threads = static_cast<std::uint32_t>(is_worth_it ? searchers_.size() : 1);
-  for_each_in_threads(threads, count, [&](std::uint32_t thread, std::size_t i) {
-    search(searchers_[thread], i);
-  });
+  for_each_in_threads(threads, count,
+                      [&](std::uint32_t thread, std::size_t i) { search(searchers_[thread], i); });
 }
 
 void Negotiation::route_group(std::span<const EdgeId> edges) {
@@ -156,8 +155,8 @@ void Negotiation::search_trial(Trial& trial, RouteSearch& search) {
       return;
     }
     left -= cost;
-    const int arm = starts ? route.direction[0]
-                           : PointClass::opposite(route.direction[route.segments - 1]);
+    const int arm =
+        starts ? route.direction[0] : PointClass::opposite(route.direction[route.segments - 1]);
     free = without(free, arm);
   }
 }
@@ -209,9 +208,8 @@ void Negotiation::move_group(std::span<Trial> trials) {
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   for (const EdgeId e : edges) take(e);
-  search_side_by_side(trials.size(), [&](RouteSearch& search, std::size_t i) {
-    search_trial(trials[i], search);
-  });
+  search_side_by_side(trials.size(),
+                      [&](RouteSearch& search, std::size_t i) { search_trial(trials[i], search); });
   for (const EdgeId e : edges) put(e);
   std::vector<Vertex> moved;
   const auto has_moved = [&](Vertex v) {
@@ -220,9 +218,8 @@ void Negotiation::move_group(std::span<Trial> trials) {
   for (const Trial& trial : trials) {
     searches_ += trial.searches;
     const auto around = graph_.incident(trial.vertex);
-    const bool is_stale = std::any_of(around.begin(), around.end(), [&](const HalfEdge& half) {
-      return has_moved(half.to);
-    });
+    const bool is_stale = std::any_of(around.begin(), around.end(),
+                                      [&](const HalfEdge& half) { return has_moved(half.to); });
     if (!is_stale && trial.routes[0] && settle(trial)) moved.push_back(trial.vertex);
   }
 }
@@ -270,9 +267,10 @@ void Negotiation::choose_lengths() {
   const std::size_t edges = graph_.num_edges();
   lengths_.near_of_three = conflicts_ <= 12 ? 3 : 2;
   lengths_.near_of_two = conflicts_ <= 12 ? 16 : 10;
-  lengths_.random = conflicts_ <= 6    ? 8
-                    : conflicts_ <= 20 ? 6
-                                       : 1 + (conflicts_ * 20 < edges) + (conflicts_ * 100 < edges) * 2;
+  lengths_.random = conflicts_ <= 6 ? 8
+                    : conflicts_ <= 20
+                        ? 6
+                        : 1 + (conflicts_ * 20 < edges) + (conflicts_ * 100 < edges) * 2;
 }
 
 std::size_t Negotiation::run(const Patience& patience) {

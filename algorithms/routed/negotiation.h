@@ -26,8 +26,8 @@ struct Routing {
 /// Holds when a negotiation ends without success.
 struct Patience {
   int rounds = 250;
-  int rounds_without_gain = 60;     ///< after the first dozen
-  std::uint64_t searches = 0;       ///< none begins a round above so many
+  int rounds_without_gain = 60;  ///< after the first dozen
+  std::uint64_t searches = 0;    ///< none begins a round above so many
 };
 
 /// Edges that negotiate for the points of a box. The result depends on the graph, the layout and the
@@ -76,7 +76,8 @@ class Negotiation {
   void place(Vertex v, Spot at, std::size_t frame);
   int price_edges(Vertex v);
   void raise_prices(int round);
-  void search_side_by_side(std::size_t count, const std::function<void(RouteSearch&, std::size_t)>& search);
+  void search_side_by_side(std::size_t count,
+                           const std::function<void(RouteSearch&, std::size_t)>& search);
 
   const Graph& graph_;
   const Words& words_;

@@ -161,11 +161,11 @@ class Annealing {
   Spot cells_;
   RandomStream random_;
   std::vector<std::int32_t> exponential_;
-  std::vector<Spot> spots_;          // of a cell
-  std::vector<int> lengths_;         // by difference
-  std::vector<std::uint32_t> at_;    // vertex in a cell
-  std::vector<std::uint32_t> of_;    // cell of a vertex
-  std::int64_t temperature_ = 0;     // in 1/1024 of lengths
+  std::vector<Spot> spots_;        // of a cell
+  std::vector<int> lengths_;       // by difference
+  std::vector<std::uint32_t> at_;  // vertex in a cell
+  std::vector<std::uint32_t> of_;  // cell of a vertex
+  std::int64_t temperature_ = 0;   // in 1/1024 of lengths
 };
 
 }  // namespace

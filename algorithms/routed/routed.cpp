@@ -17,8 +17,8 @@ namespace ar3d::routed {
 namespace {
 
 constexpr int kHighestEffort = 2;
-constexpr std::uint32_t kMostVertices = 1u << 27;    // of the fall-backs
-constexpr std::uint32_t kMostRouted = 20000;         // beyond, no box was legal in a usual time
+constexpr std::uint32_t kMostVertices = 1u << 27;  // of the fall-backs
+constexpr std::uint32_t kMostRouted = 20000;       // beyond, no box was legal in a usual time
 constexpr int kMostMegabytes = 100000;
 
 __extension__ using Volume = unsigned __int128;
@@ -34,7 +34,8 @@ Volume volume_of(const std::array<std::int64_t, 3>& extents) {
 Drawing renamed(const std::string& name, const Graph& graph, const Drawing& drawing) {
   const Box box = bounding_box(drawing);
   std::int64_t largest = 0;
-  for (const std::int64_t c : {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z}) {
+  for (const std::int64_t c :
+       {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z}) {
     largest = std::max(largest, std::abs(c));
   }
   Coordinates vertices(drawing.num_vertices(), largest);
@@ -94,8 +95,8 @@ void refuse_too_large(const Algorithm& row, const Options& options, const Limits
   if (bytes <= std::int64_t{options.megabytes} * 1000000) return;
   const Spot sides = box.sides();
   throw InputError(fmt::format(
-      "{} needs {} MB for the points of a {} x {} x {} box, but option megabytes allows {}", row.name,
-      (bytes + 999999) / 1000000, sides.x, sides.y, sides.z, options.megabytes));
+      "{} needs {} MB for the points of a {} x {} x {} box, but option megabytes allows {}",
+      row.name, (bytes + 999999) / 1000000, sides.x, sides.y, sides.z, options.megabytes));
 }
 
 /// Replaces the fall-back by a routing if that is smaller and keeps the row's box.
@@ -167,10 +168,11 @@ Algorithm row_like(Algorithm fall_back) {
   row.guarantee.bound.source = "docs/routed.md";
   row.guarantee.published = {};
   row.by_name_only = true;
-  row.options = {effort_option(kHighestEffort,
-                               "0: the first legal box; 1: smaller boxes; 2: ten times as many"),
-                 {"bends", 3, kMostBends, 3, "at most so many bends per edge"},
-                 {"megabytes", 1, kMostMegabytes, 1000, "memory that the points of a box may take"}};
+  row.options = {
+      effort_option(kHighestEffort,
+                    "0: the first legal box; 1: smaller boxes; 2: ten times as many"),
+      {"bends", 3, kMostBends, 3, "at most so many bends per edge"},
+      {"megabytes", 1, kMostMegabytes, 1000, "memory that the points of a box may take"}};
   return row;
 }
 

@@ -171,7 +171,8 @@ bool RouteSearch::is_hopeless(const WordGroup& group) const {
     const int longer = (1 << group.log_determinant) - t0 - t1 - t2;
     steps += longer > 0 ? longer : most * longer;
   }
-  return r0 <= 0 || r1 <= 0 || r2 <= 0 || CostBox::kStep * (steps >> group.log_determinant) >= best_;
+  return r0 <= 0 || r1 <= 0 || r2 <= 0 ||
+         CostBox::kStep * (steps >> group.log_determinant) >= best_;
 }
 
 void RouteSearch::try_group(const WordGroup& group) {
@@ -241,7 +242,8 @@ void RouteSearch::consider(std::size_t segments, const std::uint8_t* direction, 
   } else {
     if (leaving >= first.size() || arriving >= last.size()) return;
     cost += first[leaving] + last[arriving];
-    if (segments == 2) cost -= box_->cost(box_->index(from_ + length_[0] * points_.step(direction[0])));
+    if (segments == 2)
+      cost -= box_->cost(box_->index(from_ + length_[0] * points_.step(direction[0])));
   }
   if (cost >= best_) return;
   if (segments > 2) cost = middle_cost(segments, direction, cost);

@@ -73,7 +73,7 @@ class RouteSearch {
   std::array<std::vector<int>, kMostDirections> into_v_;
   std::array<Choices, 3> of_three_;
   std::array<Choices, 2> of_two_;
-  std::vector<std::array<int, 3>> products_;  // by basis: rows . across
+  std::vector<std::array<int, 3>> products_;           // by basis: rows . across
   std::vector<std::pair<int, std::uint32_t>> passed_;  // a hash table of points: point, stamp
   std::uint32_t stamp_ = 0;
 };

@@ -108,8 +108,7 @@ void Words::group(std::size_t from, std::size_t to) {
     WordGroup group;
     group.first = static_cast<std::uint32_t>(words_.size() - 1);
     group.count = 1;
-    group.segments =
-        static_cast<std::uint8_t>(found_[i].key >> kBitsOfDirection * kMostSegments);
+    group.segments = static_cast<std::uint8_t>(found_[i].key >> kBitsOfDirection * kMostSegments);
     group.num_chosen = static_cast<std::uint8_t>(group.segments - 3);
     group.basis = basis_of(word.direction[word.solved[0]], word.direction[word.solved[1]],
                            word.direction[word.solved[2]]);

@@ -121,8 +121,7 @@ TEST(Routed, WordsOfThreeBendsFindWhatThePlainSearchFinds) {
         const End u{spots[0], frame(0), points.frames()[frame(0)]};
         const End v{spots[1], frame(1 + is_body), points.frames()[frame(1 + is_body)]};
         Route route;
-        const int cost =
-            search.find(box, u, v, CostBox::kNoRoute, {2, 10, 8}, random, route);
+        const int cost = search.find(box, u, v, CostBox::kNoRoute, {2, 10, 8}, random, route);
         const int plain = plain_search(box, points, u, v, bends);
         EXPECT_GE(cost, plain);
         if (!route) continue;
@@ -206,7 +205,8 @@ TEST(Routed, TheVerifierFindsAPointUsedTwiceAWrongFrameAndABendTooMany) {
   const auto kinds = [&](const std::function<void(std::vector<std::vector<Point>>&)>& change,
                          const Guarantee& promised) {
     std::vector<std::vector<Point>> lines;
-    for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& line) { lines.push_back(line); });
+    for_each_polyline(drawing,
+                      [&](EdgeId, const std::vector<Point>& line) { lines.push_back(line); });
     change(lines);
     auto bends = std::make_shared<StoredBends>();
     for (const auto& line : lines) bends->add_edge({line.begin() + 1, line.end() - 1});
@@ -227,7 +227,8 @@ TEST(Routed, TheVerifierFindsAPointUsedTwiceAWrongFrameAndABendTooMany) {
   const auto twice = [](auto& lines) { lines[0].insert(lines[0].begin() + 1, lines[5][1]); };
   EXPECT_FALSE(kinds(twice, guarantee).empty());
   EXPECT_EQ(kinds(twice, guarantee).count(ViolationKind::vertex_on_edge) +
-                kinds(twice, guarantee).count(ViolationKind::crossing) > 0,
+                    kinds(twice, guarantee).count(ViolationKind::crossing) >
+                0,
             true);
   const auto same_arm = [](auto& lines) {
     const Point p = lines[0][0];
