@@ -95,7 +95,7 @@ class GraphReader {
   std::uint64_t graphs_read_ = 0;
 };
 
-/// @throws InputError if the text, which is no drawing, is a graph. Reads at most 2^24 bytes ahead.
+/// @throws InputError if the text, which is no drawing, is a graph or results. Reads at most 2^24 bytes ahead.
 void refuse_graph(TextInput& input);
 
 /// The only graph of a file. @throws InputError as GraphReader, and if there is none or
