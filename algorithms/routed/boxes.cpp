@@ -4,8 +4,6 @@
 // anew. Cost: the searches, of which each effort has a count; a box holds 5 bytes a point.
 #include "ar3d/algorithms/routed/boxes.h"
 
-#include <limits>
-
 #include "ar3d/algorithms/routed/check.h"
 #include "ar3d/algorithms/routed/layouts.h"
 #include "ar3d/base/error.h"
@@ -20,7 +18,6 @@ constexpr std::uint64_t kStepsPerVertex = 4000;  // of the annealing
 constexpr int kPatience = 60;                    // rounds without gain, all edges routed anew
 constexpr int kPatienceOfCuts = 20;
 constexpr int kFirstBoxes = 10;
-constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 constexpr int kMostLayers = 5;  // that a box grows by before it is given up
 
 class BoxSearch {
@@ -29,8 +26,9 @@ class BoxSearch {
       : graph_(graph), words_(words), points_(words.points()), options_(options), counts_(counts) {}
 
   std::optional<Routing> run() {
+    const std::uint64_t usual = kSearchesPerEdge * graph_.num_edges() + kSearchesAnyway;
+    most_searches_ = 2 * usual;
     if (find_first() && options_.effort > 0) {
-      const std::uint64_t usual = kSearchesPerEdge * graph_.num_edges() + kSearchesAnyway;
       most_searches_ = counts_.searches + (options_.effort == 2 ? 10 * usual : usual);
       scale_down();
       cut_off_layers();
@@ -123,7 +121,7 @@ class BoxSearch {
   const PointClass& points_;
   BoxOptions options_;
   BoxCounts& counts_;
-  std::uint64_t most_searches_ = kNoLimit;  // none until a box is legal
+  std::uint64_t most_searches_ = 0;
   std::optional<Routing> best_;
   Routing last_;
 };
@@ -131,7 +129,7 @@ class BoxSearch {
 }  // namespace
 
 Limits first_box(const PointClass& points, int bends, std::uint64_t n) {
-  // c sqrt(n) + a, c in twentieths: what random graphs of 1,000 vertices need, nearly.
+  // c sqrt(n) + a, c in twentieths; it grows if no box is legal.
   const std::int64_t c = points.is_body() ? (bends == 5 ? 53 : 70) : (bends == 5 ? 33 : 40);
   std::int64_t side = 0;
   while (400 * side * side < c * c * static_cast<std::int64_t>(n)) ++side;

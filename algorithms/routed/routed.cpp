@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kHighestEffort = 2;
 constexpr std::uint32_t kMostVertices = 1u << 27;  // of the fall-backs
-constexpr std::uint32_t kMostRouted = 20000;       // beyond, no box was legal in a usual time
+constexpr std::uint32_t kMostRouted = 5000;        // larger graphs have not been tried
 constexpr int kMostMegabytes = 100000;
 
 __extension__ using Volume = unsigned __int128;
