@@ -27,12 +27,9 @@ struct FiguresArguments {
   std::string folder;
   std::string quantity = "side";
   std::string format = "pdf";
-  std::vector<std::pair<std::string, std::string>> passed_on = {{"--algorithms", ""},
-                                                                {"--families", ""},
-                                                                {"--over", ""},
-                                                                {"--width", ""},
-                                                                {"--font-size", ""},
-                                                                {"--style", ""}};
+  std::vector<std::pair<std::string, std::string>> passed_on = {
+      {"--algorithms", ""}, {"--families", ""},  {"--over", ""},
+      {"--width", ""},      {"--font-size", ""}, {"--style", ""}};
   bool is_grid = false;
   bool force = false;
 };
@@ -114,7 +111,8 @@ void add_figures(CLI::App& app, int& exit_code) {
       "a line for each of these families instead of a band over all",
       "divides quantities that grow with n by n to this power, such as 1.5",
       "of a figure: 84mm, 3.3in",
-      "in points; 8 if left out", "a style sheet of matplotlib: a name or a file"};
+      "in points; 8 if left out",
+      "a style sheet of matplotlib: a name or a file"};
   for (std::size_t i = 0; i < arguments->passed_on.size(); ++i) {
     auto& [option, value] = arguments->passed_on[i];
     verb->add_option(option, value, kHelp[i]);

@@ -61,8 +61,7 @@ std::optional<Drawing> drawn_again(const RunRecord& run, const StudyOrigin& orig
   return std::nullopt;
 }
 
-std::vector<std::size_t> rows_to_keep(const Rows& rows, KeptDrawings kept,
-                                      std::size_t& repeated) {
+std::vector<std::size_t> rows_to_keep(const Rows& rows, KeptDrawings kept, std::size_t& repeated) {
   if (kept == KeptDrawings::none) return {};
   if (kept == KeptDrawings::worst) return worst_rows(rows);
   std::vector<std::size_t> chosen;
