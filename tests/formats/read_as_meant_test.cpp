@@ -179,7 +179,10 @@ const std::vector<MeantFile> kFiles = {
      "V1 V2\n1 2\n2 3\n",
      "3 2 | V1-V2.edges:1: 'V1 V2' is a heading, no edge",
      {.base = 1}},
-    {"error-page.edgelist", "Error 404\nPage missing\n", "4 2"},
+    {"error-page.edgelist", "Error 404\nPage missing\n",
+     "error-page.edgelist:1: 'Error 404' may be a heading or an edge: no other line has one of "
+     "these names; --first-line header or --first-line edge says which (in a study the keys base "
+     "and first_line)"},
     {"two-words.edgelist", "Not Found", "2 1", {.format = "edgelist"}},
     {"number-in-names.edges", "alice bob\nbob 7\n7 alice\n", "3 3"},
     {"name-in-numbers.edges", "7 alice\n7 8\nalice 8\n",
