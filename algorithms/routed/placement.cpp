@@ -52,7 +52,8 @@ class Annealing {
  public:
   Annealing(const Graph& graph, Spot cells, RandomStream random)
       : graph_(graph), cells_(cells), random_(random), exponential_(exponential_table()) {
-    const auto count = static_cast<std::size_t>(cells.x * cells.y * cells.z);
+    const auto count = static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y) *
+                       static_cast<std::size_t>(cells.z);
     spots_.resize(count);
     lengths_.resize(count);
     for (int z = 0, i = 0; z < cells.z; ++z) {
