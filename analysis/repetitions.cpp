@@ -141,7 +141,8 @@ void require_one_study(const Rows& rows, const std::string& path) {
     const auto& [next_identity, next_seed, next_row] = graphs[i];
     if (identity != next_identity || seed == next_seed) continue;
     const auto [first, second] = std::minmax(row, next_row);
-    const RunRecord run = rows.run(first);
+    RunRecord run;
+    run = rows.run(first);  // a copy: the next call reads over it
     if (identity_of(run) != identity_of(rows.run(second))) continue;
     throw InputError(fmt::format(
         "{}: rows {} and {} are of different studies: {}, n = {}, instance {} has two seeds", path,

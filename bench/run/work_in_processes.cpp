@@ -225,7 +225,7 @@ class WorkerPlace {
       }
       RunRecord row;
       const std::string_view first(received.data(), row_message_size());
-      const std::optional<char> tag = read_row_message(first, row);
+      const char tag = read_row_message(first, row).value_or('\0');
       if (tag != kBegun && tag != kMade) {
         give_up({RunStatus::crashed, "its process wrote into the socket that rows come through"});
         return true;
