@@ -56,7 +56,7 @@ Rows::Rows(Rows&&) noexcept = default;
 Rows& Rows::operator=(Rows&&) noexcept = default;
 
 Rows::Rows(const Results& results)
-    : Rows(results, results.environment, results.runs.size(),
+    : Rows(static_cast<const StudyIdentity&>(results), results.environment, results.runs.size(),
            [&results](std::size_t row) -> const RunRecord& { return results.runs[row]; }) {}
 
 Rows::Rows(StudyIdentity identity, std::vector<EnvironmentEntry> environment, std::size_t count,

@@ -180,7 +180,7 @@ TEST(CommandLine, EveryVerbIsQuietIfAskedAndTellsItsResultAsJson) {
   // What these make is a file, or stands on standard output in a format of its own.
   const std::set<std::string> has_none = {" generate", " draw", " view", " play", " figures"};
   const std::vector<std::string> verbs = verbs_below("");
-  EXPECT_EQ(verbs.size(), 22u);
+  EXPECT_EQ(verbs.size(), 23u);
   for (const std::string& verb : verbs) {
     const std::string help = run("{} help" + verb).out;
     const bool is_help = verb == " help";
