@@ -92,7 +92,7 @@ TEST(TwoBend120, DrawsEveryFamilyThatIs3ConnectedAndNoOther) {
       const Components components = connected_components_of(graph);
       if (components.count != 1) continue;
       const bool draws = is_cubic_and_3_connected(graph);
-      EXPECT_EQ(two_bend_120_fault(graph) == "", draws) << family.name << ' ' << n;
+      EXPECT_EQ(two_bend_120_fault(graph).empty(), draws) << family.name << ' ' << n;
       drawn += draws ? 1 : 0;
     }
   }
