@@ -81,6 +81,8 @@ TEST_F(Collections, FilesThatAreNoGraphsAreRefusedOrListed) {
 
 TEST_F(Collections, WhatCannotBeIsRefusedInOneLine) {
   scratch_.write("none.csv", "x,1\n");
+  scratch_.write("page.json", "{\"nodes\": []}\n");
+  scratch_.write("more.json", "[]\n");
   scratch_.write("twice.csv", "top.edges,1\ntop.edges,2\n");
   scratch_.write("broken.csv", "top.edges\n");
   scratch_.write("long.csv", "top.edges," + std::string(49, 'g') + "\n");
@@ -89,9 +91,9 @@ TEST_F(Collections, WhatCannotBeIsRefusedInOneLine) {
       {"{ files = \"c\" }", "lacks 'name'"},
       {"{ files = \"c\", name = \"cycle\" }", "is the name of a family"},
       {"{ files = \"empty\", name = \"mine\" }", "no file matches 'empty'"},
-      {"{ files = \"no*\", name = \"mine\" }", "none.csv:1"},
+      {"{ files = \"pa*\", name = \"mine\" }", "page.json:1"},
       {"{ files = \"gone\", name = \"mine\" }", "gone: it is no regular file"},
-      {"{ files = \"*.csv\", name = \"mine\", skip = true }", "none of 4 files holds a graph"},
+      {"{ files = \"*.json\", name = \"mine\", skip = true }", "none of 2 files holds a graph"},
       {"{ file = \"c/top.edges\", name = \"x\", groups = \"none.csv\" }", "unknown key 'groups'"},
       {"{ files = \"c\", name = \"mine\", groups = \"none.csv\" }", "names no file of mine"},
       {"{ files = \"c\", name = \"mine\", groups = \"twice.csv\" }",
