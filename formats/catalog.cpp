@@ -47,7 +47,6 @@ void refuse_results(const TextInput& input, std::string_view text) {
 const GraphFormat& detect_format(TextInput& input, const ReadOptions& options) {
   std::string_view text = input.look_ahead_line();
   if (text.empty()) throw InputError(fmt::format("{}: empty file: no graph in it", input.name()));
-  refuse_results(input, text);
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   if (is_comment(text) || is_blank(line) || line.find_first_of("0123456789 \t,;") != line.npos ||
       line.starts_with("graph") || line == "c") {
@@ -145,6 +144,7 @@ GraphReader::GraphReader(TextInput input, const ReadOptions& options)
   }
   const GraphFormat* const forced =
       options.format.empty() ? nullptr : &find_graph_format(options.format);
+  refuse_results(*input_, input_->look_ahead_line());
   refuse_foreign(*input_, forced != nullptr);
   format_ = forced != nullptr ? forced : &detect_format(*input_, options);
   if (input_->look_ahead_line().empty()) {

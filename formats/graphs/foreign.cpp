@@ -27,7 +27,6 @@ constexpr Beginning kBytes[] = {
     {"Rar!\x1a"sv, "a rar archive", "unpack it"},
     {"\x04\x22\x4d\x18"sv, "packed by lz4", "`lz4 -d` unpacks it"},
     {"\x1f\x9d"sv, "packed by compress", "`gzip -d` unpacks it"},
-    {"\x89HDF\r\n"sv, "HDF5", "write the graph as a list of edges"},
     {"%PDF-"sv, "a PDF", "save the graph itself"},
     {"\x89PNG"sv, "a picture (PNG)", "save the graph itself"},
     {"PAR1"sv, "Parquet", "pandas makes CSV of it: read_parquet(FILE).to_csv(OUTPUT)"},

@@ -294,7 +294,7 @@ class Readings(unittest.TestCase):
             return "equal"
         return f"{kind}: {edges ^ wanted.edges} {alone ^ reference_alone}"
 
-    def compare(self, count, seed):
+    def compare(self, count, seed, judged):
         warnings.simplefilter("ignore")
         self.folder = self.enterContext(tempfile.TemporaryDirectory(dir="/dev/shm"))
         self.program = subprocess.Popen([os.environ["AR3D_READ_MANY"]], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
@@ -320,7 +320,7 @@ class Readings(unittest.TestCase):
             print(f"{kind:34}", dict(sorted(counts.items())))
         for verdict, state, text in different[:20]:
             print(state, verdict, text)
-        self.assertEqual(len(different), 0)
+        self.assertEqual([text for _, state, text in different if state in judged], [])
         written = collections.Counter()
         for counts in tally.values():
             written.update(counts)
@@ -328,13 +328,13 @@ class Readings(unittest.TestCase):
 
 
 class DifferentialReading(Readings):
-    def test_a_sample_is_read_as_the_references_read_it_or_refused(self):
-        self.compare(1000, 1)
+    def test_written_files_are_read_as_the_references_read_them_or_refused(self):
+        self.compare(1000, 1, ("written",))
 
 
 class DifferentialReadingLong(Readings):
     def test_many_files_are_read_as_the_references_read_them_or_refused(self):
-        self.compare(22000, 2)
+        self.compare(22000, 2, ("written", "mutated"))
 
 
 if __name__ == "__main__":

@@ -319,7 +319,8 @@ const std::vector<MeantFile> kFiles = {
     {"packed.zst", "(\265/\375",
      "packed.zst:1: this is packed by zstd, which is not read; `zstd -d` unpacks it"},
     {"results.h5", "\211HDF\r\n",
-     "results.h5:1: this is HDF5, which is not read; write the graph as a list of edges"},
+     "results.h5: results (HDF5), no graph and no drawing; `ar3d replay results.h5 --keep all -o "
+     "drawings.jsonl` writes their drawings"},
     {"paper.pdf", "%PDF-1.4\n",
      "paper.pdf:1: this is a PDF, which is not read; save the graph itself"},
     {"image.png", "\211PNG\r\n",
