@@ -14,7 +14,8 @@ constexpr std::size_t kTableBits = 14;
 
 /// The number k > 0 with k step = d, or 0.
 int multiple(Spot step, Spot d) {
-  const int k = step.x != 0 ? d.x * step.x : d.y * step.y;
+  const int part = step.x != 0 ? step.x : step.y != 0 ? step.y : step.z;
+  const int k = (step.x != 0 ? d.x : step.y != 0 ? d.y : d.z) / part;
   return k > 0 && k * step == d ? k : 0;
 }
 
@@ -39,6 +40,7 @@ int RouteSearch::find(const CostBox& box, const End& u, const End& v, int limit,
   longest_ = box.limits().longest();
   fill_arms(u, v);
   try_short_words(u, v);
+  try_planar_words(u, v);
   choose_lengths(lengths, random);
   for (std::size_t b = 0; b < products_.size(); ++b) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -132,6 +134,51 @@ void RouteSearch::try_short_words(const End& u, const End& v) {
         const std::uint8_t both[] = {first, static_cast<std::uint8_t>(e)};
         consider(2, both, l + k);
         break;
+      }
+    }
+  }
+}
+
+/// Words of three and four segments in one plane, which have no three independent ones: all lengths,
+/// where the other end lies in the plane.
+void RouteSearch::try_planar_words(const End& u, const End& v) {
+  const auto ends = [&](int d) { return has(v.arms, PointClass::opposite(d)); };
+  std::array<std::uint8_t, 4> word{};
+  const auto last_two = [&](std::size_t segments, Spot rest, int steps) {
+    const Spot e = points_.step(word[segments - 2]);
+    const Spot f = points_.step(word[segments - 1]);
+    const Spot normal = cross(e, f);
+    const int l = multiple(normal, cross(rest, f));
+    const int k = multiple(normal, cross(e, rest));
+    if (l == 0 || k == 0 || CostBox::kStep * (steps + l + k) >= best_) return;
+    length_[segments - 2] = l;
+    length_[segments - 1] = k;
+    consider(segments, word.data(), steps + l + k);
+  };
+  const auto is_cheap = [&](int steps) {
+    return steps <= longest_ && CostBox::kStep * steps < best_;
+  };
+  for (int d = 0; d < points_.num_directions(); ++d) {
+    for (int e = 0; e < points_.num_directions() && has(u.arms, d); ++e) {
+      const Spot normal = cross(points_.step(d), points_.step(e));
+      if (!has(points_.turns(d), e) || dot(normal, across_) != 0) continue;
+      for (int f = 0; f < points_.num_directions(); ++f) {
+        if (!has(points_.turns(e), f) || dot(normal, points_.step(f)) != 0) continue;
+        for (int g = -1; g < points_.num_directions(); ++g) {
+          if (g >= 0 && (!has(points_.turns(f), g) || dot(normal, points_.step(g)) != 0)) continue;
+          if (!ends(g < 0 ? f : g)) continue;
+          word = {static_cast<std::uint8_t>(d), static_cast<std::uint8_t>(e),
+                  static_cast<std::uint8_t>(f), static_cast<std::uint8_t>(std::max(g, 0))};
+          for (int a = 1; is_cheap(a); ++a) {
+            length_[0] = a;
+            const Spot rest = across_ - a * points_.step(d);
+            if (g < 0) last_two(3, rest, a);
+            for (int b = 1; g >= 0 && is_cheap(b); ++b) {
+              length_[1] = b;
+              last_two(4, rest - b * points_.step(e), a + b);
+            }
+          }
+        }
       }
     }
   }

@@ -48,6 +48,7 @@ class RouteSearch {
   void choose(Choices& choices, int near, int others, RandomStream& random,
               bool prefers_short) const;
   void try_short_words(const End& u, const End& v);
+  void try_planar_words(const End& u, const End& v);
   void try_groups(std::span<const WordGroup> groups, RandomStream& random);
   bool is_hopeless(const WordGroup& group) const;
   void try_group(const WordGroup& group);
