@@ -113,6 +113,9 @@ class DotParser final : public GraphParser {
       if (!words_.peek().is_name()) fail("expected a vertex, found");
       const bool is_html = words_.peek().is_html;
       const std::string id = read_text();
+      if (std::ranges::any_of(id, is_control)) {
+        fail(fmt::format("a control character in the name {} before", shown(id)));
+      }
       if (may_be_setting && vertices.empty() && words_.peek().is("=")) {
         words_.next();
         if (!words_.peek().is_name()) fail("expected a value, found");

@@ -23,7 +23,7 @@ class EdgeListParser final : public GraphParser {
                [this](std::uint64_t line, const std::string& text) { note(line, text); }) {
     shape_.is_forced = !options.format.empty();
     shape_.is_told = shape_.is_forced || told_format(input.name()) == "edgelist";
-    is_of_names_ = input.name().find(".ncol") != std::string::npos;
+    is_of_names_ = !shape_.is_forced && input.name().find(".ncol") != std::string::npos;
   }
 
   std::optional<Graph> next() override {
@@ -46,6 +46,7 @@ class EdgeListParser final : public GraphParser {
       }
     }
     if (!has_begun && graph_.num_rows() == 0) return std::nullopt;
+    refuse_unclear_comment();
     return graph_.finish();
   }
   std::vector<std::string> names() const override { return graph_.names(); }
@@ -71,7 +72,20 @@ class EdgeListParser final : public GraphParser {
   }
 
   void read_comment(std::string_view line) {
+    if (line[0] == '%' && graph_.num_rows() > 0 && !shape_.is_forced) {
+      input_.fail(1,
+                  fmt::format("{} below a row may be a comment or an edge: --from edgelist reads "
+                              "a comment",
+                              shown(line)));
+    }
+    if (is_of_names_) {
+      input_.fail(1, fmt::format("{} begins with a name in .ncol: --from edgelist reads a comment",
+                                 shown(line)));
+    }
     const std::size_t word = line.find_first_not_of(" \t", 1);
+    if (word == 1 && graph_.num_rows() == 0 && unclear_.text.empty()) {
+      unclear_ = {std::string(line), input_.line()};
+    }
     const bool is_one_word = word != std::string_view::npos && word > 1 &&
                              line.find_first_of(" \t", word) == std::string_view::npos;
     if (graph_.num_rows() == 0 && !shape_.heading) {
@@ -95,6 +109,18 @@ class EdgeListParser final : public GraphParser {
                                  shown(line)));
     }
     graph_.stated().read(input_, line);
+  }
+
+  /// @throws InputError if a comment above the rows of a table of names is one of its rows as well.
+  void refuse_unclear_comment() {
+    const auto [text, line] = std::exchange(unclear_, {});
+    const bool is_table = graph_.is_named() && shape_.cut.separator != 0 && !shape_.heading;
+    if (text.empty() || !is_table || is_heading_of_ends(std::string_view(text).substr(1))) return;
+    if (text.find(shape_.cut.separator) == std::string::npos) return;
+    input_.fail_at(line, 1,
+                   fmt::format("{} is a comment or begins with a name: a blank behind the {} or "
+                               "quotes tell",
+                               shown(text), text[0]));
   }
 
   void read_line(std::string_view line) {
@@ -178,6 +204,10 @@ class EdgeListParser final : public GraphParser {
 
   ListShape shape_;
   bool is_of_names_ = false;  // by the ending: ids are names whatever they are
+  struct {
+    std::string text;
+    std::uint64_t line = 0;
+  } unclear_;  // the first comment whose mark stands at a word, above all rows
   bool is_like_lgl_ = false;
   ListGraph graph_;
 };

@@ -91,6 +91,9 @@ class GmlParser final : public GraphParser {
       skip_value(key);
     });
     if (!id) fail(node, "no id in a");
+    if (std::ranges::any_of(label, is_control)) {
+      fail(node, fmt::format("a control character in the label {} of a", shown(label)));
+    }
     if (graph_.find(*id)) fail(node, fmt::format("id {} stands twice: the second", shown(*id)));
     const Vertex v = graph_.vertex(*id);
     if (!label.empty()) graph_.set_name(v, label);

@@ -112,6 +112,7 @@ void ListGraph::take_numbers_as_names() {
   is_named_ = true;
   const bool is_first_apart = first_ && !is_numbers(*first_);
   if (is_first_apart) {
+    refuse_unclear_ends(first_->fields[0], first_->fields[1], first_->line);
     const Vertex u = named_.vertex(first_->fields[0].text);
     named_.join(u, named_.vertex(first_->fields[1].text), first_->line);
   } else if (first_ && !first_->problem.empty()) {
@@ -128,16 +129,24 @@ bool ListGraph::is_numbers(const First& first) {
   return is_whole_number(first.fields[0].text) && is_whole_number(first.fields[1].text);
 }
 
-void ListGraph::join(const ListField& a, const ListField& b) {
+/// @throws InputError for an end that may be two, or be followed by a comment.
+void ListGraph::refuse_unclear_ends(const ListField& a, const ListField& b,
+                                    std::uint64_t line) const {
   for (const ListField* end : {&a, &b}) {
-    const std::size_t odd = end->text.find_first_of(",;#");
-    if (shape_->cut.separator != 0 || end->is_quoted || odd == std::string::npos) continue;
+    if (end->is_quoted || shape_->heading || shape_->is_headed_table) continue;
+    const std::size_t odd = end->text.find_first_of(shape_->cut.separator == 0 ? ",;#" : "#");
+    if (odd == std::string::npos) continue;
     const bool is_cut = end->text[odd] == '#' || odd == 0 || odd + 1 == end->text.size();
     if (is_cut) {
-      input_->fail(end->column, fmt::format("{} may be a name or not all of it be one: quotes tell",
-                                            shown(end->text)));
+      input_->fail_at(
+          line, end->column,
+          fmt::format("{} may be a name or not all of it be one: quotes tell", shown(end->text)));
     }
   }
+}
+
+void ListGraph::join(const ListField& a, const ListField& b) {
+  refuse_unclear_ends(a, b, input_->line());
   const Vertex u = named_.vertex(a.text);
   named_.join(u, named_.vertex(b.text), input_->line());
 }

@@ -70,6 +70,7 @@ class ListGraph {
   void become_names(const ListField& a, const ListField& b);
   void take_numbers_as_names();
   static bool is_numbers(const First& first);
+  void refuse_unclear_ends(const ListField& a, const ListField& b, std::uint64_t line) const;
   void join(const ListField& a, const ListField& b);
   void read_numbers(const ListRow& row, const ListField& a, const ListField& b);
   std::optional<std::uint64_t> number_of(const ListField& field) const;

@@ -74,6 +74,11 @@ bool has_whole_brackets(std::string_view text) {
 
 bool is_separator(char c) { return c == ',' || c == ';'; }
 
+bool is_several_numbers(const ListField& field) {
+  return !field.is_quoted && field.text.find(' ') != std::string::npos &&
+         field.text.find_first_not_of("0123456789 ") == std::string::npos;
+}
+
 /// Can this be a row of a list that is cut so?
 bool fits(const ListRow& row) {
   const auto is_cut = [](const ListField& field) {  // "a," is not what somebody calls a vertex
@@ -95,7 +100,12 @@ ListRow RowCut::operator()(const TextInput& input, std::string_view line) const 
   const auto ends = [&](char c) { return separator == 0 ? is_white(c) : c == separator; };
   std::size_t at = 0;
   for (;;) {
+    const std::size_t before = at;
     while (at < line.size() && is_blank(line[at])) ++at;
+    if (separator != 0 && at < line.size() && line[at] == '"' &&
+        line.substr(before, at - before).find('\t') != std::string_view::npos) {
+      input.fail(before + 1, "a tab in front of a quote: is the quote a part of the name?");
+    }
     if (at == line.size() && (separator == 0 || row.empty())) return row;
     ListField& field = row.emplace_back();
     field.column = at + 1;
@@ -118,7 +128,8 @@ ListRow RowCut::operator()(const TextInput& input, std::string_view line) const 
                                shown(line.substr(at))));
       }
     } else {
-      const bool is_rest = row.size() > 2 && line.substr(at).starts_with('{');
+      const std::string_view rest = line.substr(at, line.find_last_not_of(" \t\r") + 1 - at);
+      const bool is_rest = row.size() > 2 && rest.starts_with('{') && rest.ends_with('}');
       const std::size_t begin = at;
       while (at < line.size() && (is_rest || !ends(line[at]))) ++at;
       field.text = line.substr(begin, at - begin);
@@ -146,6 +157,11 @@ RowCut cut_of(const TextInput& input, std::string_view line) {
     }
   }
   if (!ways.empty() && ways[0].separator == '\t') return ways[0];
+  if (const std::size_t tab = line.find('\t'); tab != std::string_view::npos && ways.empty()) {
+    const ListField first_field{std::string(line.substr(0, tab)), 1, false};
+    const bool is_last = line.find('\t', tab + 1) == std::string_view::npos;
+    if (is_last && is_several_numbers(first_field)) return {'\t', true};  // a tab may be lost
+  }
   // A comma may be the decimal one of a weight: 0;1;0,5
   if (ways.size() == 2 && RowCut{';', true}(input, line).size() == 3) ways.pop_back();
   if (fits_cut(words)) ways.push_back(words);
@@ -205,19 +221,22 @@ bool is_list_number(std::string_view text) {
 }
 
 bool is_attribute(const ListField& field) {
-  return field.text.empty() || field.text.starts_with('{') || is_list_number(field.text);
+  return field.text.empty() || (field.text.starts_with('{') && field.text.ends_with('}')) ||
+         is_list_number(field.text);
 }
 
 std::optional<std::string> end_problem(const ListField& field, bool is_headed) {
   const std::string& text = field.text;
   if (text.empty()) return "an end of an edge is missing";
-  const auto is_control = [&](char c) {
-    return (static_cast<unsigned char>(c) < ' ' || c == '\x7f') && !(field.is_quoted && c == '\t');
-  };
-  if (std::ranges::any_of(text, is_control)) {
+  const auto is_odd = [&](char c) { return is_control(c) && !(field.is_quoted && c == '\t'); };
+  if (std::ranges::any_of(text, is_odd)) {
     return fmt::format("{} holds a control character", shown(text));
   }
+  if (text.find("\xef\xbb\xbf") != std::string::npos) return "a byte order mark is in a name";
   if (field.is_quoted || is_whole_number(text)) return std::nullopt;
+  if (is_several_numbers(field)) {
+    return fmt::format("{} is several numbers: a line break may be missing", shown(text));
+  }
   for (const char* missing : {"NA", "N/A", "NaN", "nan", "NULL", "null", "None"}) {
     if (text == missing)
       return fmt::format(

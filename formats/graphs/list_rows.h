@@ -22,8 +22,8 @@ struct RowCut {
   char separator = 0;       ///< between the fields; 0: blanks and tabs
   bool has_quotes = false;  ///< words may stand in quotes; fields between separators always may
 
-  /// A field that begins with { behind the second takes the rest of the line: attributes of
-  /// networkx. @throws InputError for a quote without its other one, or with a name behind it.
+  /// From a { at the third field or later to a } at the end of the line is one field: attributes
+  /// of networkx. @throws InputError for a quote without its other one, or with a name behind it.
   ListRow operator()(const TextInput& input, std::string_view line) const;
 };
 

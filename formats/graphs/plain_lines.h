@@ -13,10 +13,13 @@
 // with it, is left to the formats' own readers.
 namespace ar3d {
 
-/// A number of at most 16 digits at `at`, which moves behind it; false if there is none.
+/// A number of at most 16 digits, without zeros in front, at `at`, which moves behind it; false if
+/// there is none.
 inline bool read_plain_number(const char*& at, std::uint64_t& value) {
+  const char* const first = at;
   const unsigned count = leading_digits(at, value);
   at += count;
+  if (count > 1 && *first == '0') return false;  // 007 is left to the caller
   if (count < 8) return count > 0;
   std::uint64_t more = 0;
   const unsigned further = leading_digits(at, more);

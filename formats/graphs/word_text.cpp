@@ -68,6 +68,7 @@ std::string WordText::quoted() {
   std::string text;
   for (; next_ < text_.size(); ++next_) {
     const char c = text_[next_];
+    if (c == '\0') fail(next_, "a byte 0 in a string, which other programs take for its end");
     if (c == '"') {
       ++next_;
       return text;

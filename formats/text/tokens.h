@@ -105,4 +105,7 @@ struct SizeLine {
 };
 std::optional<SizeLine> size_line(const TextInput& input, std::string_view line);
 
+/// True for a control character, such as a tab: as a part of a name other programs cut there.
+constexpr bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
+
 }  // namespace ar3d

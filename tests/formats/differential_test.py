@@ -2,7 +2,6 @@
 line: each is read as the reference program reads it, or refused. differential_test.py AR3D CLASS, AR3D_READ_MANY the reader."""
 import collections
 import csv
-import html
 import io
 import json
 import os
@@ -26,6 +25,8 @@ Graph = collections.namedtuple("Graph", "vertices edges")  # names, and pairs of
 def of_networkx(graph):
     """The graph by its names; nothing if it has loops or parallel edges, which are refused."""
     edges = [frozenset(map(str, edge[:2])) for edge in graph.edges()]
+    if len({str(v) for v in graph}) < len(graph):
+        raise ValueError("a number and a name are the same text")
     if graph.is_directed() or len(set(edges)) < len(edges) or any(len(edge) < 2 for edge in edges):
         return None
     return Graph({str(v) for v in graph}, set(edges))
@@ -143,7 +144,8 @@ def by_igraph(method, suffix, reader, named=False):
 
     def read(text):
         graph = read_by(reader, text, suffix)
-        names = graph.vs["name"] if named and "name" in graph.vs.attributes() else range(graph.vcount())
+        ids = [int(v) for v in graph.vs["id"]] if suffix == ".gml" and "id" in graph.vs.attributes() else range(graph.vcount())
+        names = graph.vs["name"] if named and "name" in graph.vs.attributes() else ids
         made = networkx.MultiGraph()
         made.add_nodes_from(names)
         made.add_edges_from((names[e.source], names[e.target]) for e in graph.es)
@@ -285,7 +287,8 @@ class Readings(unittest.TestCase):
             return f"{kind}: read, but the reference has loops, parallel edges or arcs"
         graph = answer["graphs"][0]
         first = 1 if any("ids are from 1" in note for note in answer["notes"]) else 0
-        names = [html.unescape(name).strip() for name in graph["names"]] or [str(v + first) for v in range(graph["n"])]
+        as_read = str.strip if suffix == ".csv" else networkx.readwrite.gml.unescape if suffix == ".gml" else str
+        names = [as_read(name) for name in graph["names"]] or [str(v + first) for v in range(graph["n"])]
         edges = {frozenset((names[u], names[v])) for u, v in graph["edges"]}
         alone = set(names) - set().union(*edges, set())
         reference_alone = wanted.vertices - set().union(*wanted.edges, set())
@@ -294,7 +297,7 @@ class Readings(unittest.TestCase):
             return "equal"
         return f"{kind}: {edges ^ wanted.edges} {alone ^ reference_alone}"
 
-    def compare(self, count, seed, judged):
+    def compare(self, count, seed):
         warnings.simplefilter("ignore")
         self.folder = self.enterContext(tempfile.TemporaryDirectory(dir="/dev/shm"))
         self.program = subprocess.Popen([os.environ["AR3D_READ_MANY"]], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
@@ -320,7 +323,7 @@ class Readings(unittest.TestCase):
             print(f"{kind:34}", dict(sorted(counts.items())))
         for verdict, state, text in different[:20]:
             print(state, verdict, text)
-        self.assertEqual([text for _, state, text in different if state in judged], [])
+        self.assertEqual(len(different), 0)
         written = collections.Counter()
         for counts in tally.values():
             written.update(counts)
@@ -328,13 +331,13 @@ class Readings(unittest.TestCase):
 
 
 class DifferentialReading(Readings):
-    def test_written_files_are_read_as_the_references_read_them_or_refused(self):
-        self.compare(1000, 1, ("written",))
+    def test_a_sample_is_read_as_the_references_read_it_or_refused(self):
+        self.compare(1000, 1)
 
 
 class DifferentialReadingLong(Readings):
     def test_many_files_are_read_as_the_references_read_them_or_refused(self):
-        self.compare(22000, 2, ("written", "mutated"))
+        self.compare(22000, 2)
 
 
 if __name__ == "__main__":

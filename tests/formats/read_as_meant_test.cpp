@@ -318,6 +318,12 @@ const std::vector<MeantFile> kFiles = {
      "packed.zip:1: this is a zip archive (also .npz, .xlsx, .docx), which is not read; unzip it"},
     {"packed.zst", "(\265/\375",
      "packed.zst:1: this is packed by zstd, which is not read; `zstd -d` unpacks it"},
+    {"comment-in-a-name.edgelist", "a\tb\nz#c\td\n",
+     "comment-in-a-name.edgelist:2:1: 'z#c' may be a name or not all of it be one: quotes tell"},
+    {"lost-line-break.ncol", "2 3,0 1\n",
+     "lost-line-break.ncol:1:1: '2 3' is several numbers: a line break may be missing"},
+    {"heading-twice.csv", "\xef\xbb\xbfSource;Target\n\xef\xbb\xbfSource;Target\n1;2\n",
+     "heading-twice.csv:2:1: a byte order mark is in a name"},
     {"results.h5", "\211HDF\r\n",
      "results.h5: results (HDF5), no graph and no drawing; `ar3d replay results.h5 --keep all -o "
      "drawings.jsonl` writes their drawings"},
