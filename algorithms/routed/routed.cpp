@@ -158,10 +158,17 @@ Options options_of(const Settings& values) {
   return {value("effort"), value("bends"), value("megabytes")};
 }
 
-/// What both rows have in common; the guarantee is that of the fall-back, but for the bends of the
-/// largest option and the plane.
-Algorithm row_like(Algorithm fall_back) {
+/// A row of this folder; the guarantee is that of the fall-back, but for the bends of the largest
+/// option and the plane.
+Algorithm row_like(Algorithm fall_back, const char* name, const char* summary, const char* source,
+                   Drawing (*draw)(const Graph&, const Options&)) {
   Algorithm row;
+  row.name = name;
+  row.summary = summary;
+  row.source = source;
+  row.draw = [draw](const Graph& graph, const Settings& values) {
+    return draw(graph, options_of(values));
+  };
   row.guarantee = std::move(fall_back.guarantee);
   row.guarantee.max_bends = kMostBends;
   row.guarantee.vertices_in_plane = false;
@@ -189,25 +196,15 @@ Drawing draw_120(const Graph& graph, const Options& options) {
 }
 
 Algorithm row_109() {
-  Algorithm row = row_like(diamond::row());
-  row.name = "routed";
-  row.summary = "degree at most 4, at most 3 to 5 bends, all angles 109.47 degrees, small boxes";
-  row.source = "Theorem 1";
-  row.draw = [](const Graph& graph, const Settings& values) {
-    return draw_109(graph, options_of(values));
-  };
-  return row;
+  return row_like(diamond::row(), "routed",
+                  "degree at most 4, at most 3 to 5 bends, all angles 109.47 degrees, small boxes",
+                  "Theorem 1", draw_109);
 }
 
 Algorithm row_120() {
-  Algorithm row = row_like(grid::row());
-  row.name = "routed-120";
-  row.summary = "degree at most 3, at most 3 to 5 bends, all angles 120 degrees, small boxes";
-  row.source = "Theorem 3";
-  row.draw = [](const Graph& graph, const Settings& values) {
-    return draw_120(graph, options_of(values));
-  };
-  return row;
+  return row_like(grid::row(), "routed-120",
+                  "degree at most 3, at most 3 to 5 bends, all angles 120 degrees, small boxes",
+                  "Theorem 3", draw_120);
 }
 
 }  // namespace ar3d::routed
