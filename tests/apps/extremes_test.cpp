@@ -32,7 +32,7 @@ TEST(Extremes, TheStudyIsAllRightAndHasNoNaNWhereANumberIsDue) {
   const Rows rows(results);
   ASSERT_GT(rows.size(), 100u);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const RunRecord row = rows.run(i);
+    const RunRecord& row = rows.run(i);
     SCOPED_TRACE(row.family + " n=" + std::to_string(row.n) + " " + row.algorithm);
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
     tiny += row.n <= 3;
@@ -136,7 +136,7 @@ TEST(Extremes, RealTypesOfGraphsOfNoAndFewVertices) {
   const Rows rows(results);
   ASSERT_GT(rows.size(), 50u);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const RunRecord row = rows.run(i);
+    const RunRecord& row = rows.run(i);
     SCOPED_TRACE(row.family + " n=" + std::to_string(row.n) + " " + row.options);
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
     EXPECT_EQ(row.certificate, "measured");
