@@ -4,6 +4,7 @@
 // guarantee holds for every input. Cost: O(n + m) cells tried, each in O(1) expected.
 #include "ar3d/algorithms/compact/compact.h"
 
+#include "ar3d/algorithms/efforts.h"
 #include "ar3d/algorithms/strips/routes.h"
 
 namespace ar3d::compact {
@@ -64,10 +65,14 @@ std::vector<std::uint8_t> codes(const Graph& graph, const Decomposition& links,
   return code;
 }
 
+Drawing draw_alone(const Graph& graph, const Options& options) {
+  return draw_from(graph, strips::first_tightness("compact", options.effort, kNarrow));
+}
+
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
-  return draw_from(graph, strips::first_tightness("compact", options.effort, kNarrow));
+  return smallest_of_efforts(graph, options, draw_alone);
 }
 
 Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {

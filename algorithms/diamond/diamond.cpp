@@ -11,6 +11,7 @@
 #include "ar3d/algorithms/diamond/guaranteed.h"
 #include "ar3d/algorithms/diamond/parity.h"
 #include "ar3d/algorithms/diamond/routes.h"
+#include "ar3d/algorithms/efforts.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"
 
@@ -29,15 +30,8 @@ struct ModeCandidate {
   std::optional<std::array<std::int64_t, 3>> instance_bound;
 };
 
-__extension__ using Volume = unsigned __int128;
-
-/// Number of grid points in the box; extents are below 2^32, so it is below 2^97.
-Volume volume(const ModeCandidate& candidate) {
-  Volume product = 1;
-  for (const std::int64_t extent : candidate.tracks.extents)
-    product *= static_cast<Volume>(extent + 1);
-  return product;
-}
+/// Extents are below 2^32.
+Volume volume(const ModeCandidate& candidate) { return volume_of(candidate.tracks.extents); }
 
 std::optional<ModeCandidate> parity_candidate(const Graph& graph, std::int64_t mode,
                                               std::optional<ParityPlacement> placed) {
@@ -131,8 +125,11 @@ ModeCandidate choose(const Graph& graph, int effort) {
   if (effort == 2) return smallest(graph, green, red);
   if (effort == 1) {
     auto compact = alternating(graph, std::move(green), std::move(red), kAlternating);
-    if (compact) return std::move(*compact);
-    std::tie(green, red) = items_of(graph);  // found again rather than kept: no input needed them
+    if (compact && graph.num_vertices() > kMostCompared) return std::move(*compact);
+    std::tie(green, red) = items_of(graph);  // found again rather than kept: large graphs end here
+    ModeCandidate guaranteed = guaranteed_candidate(graph, std::move(green), std::move(red));
+    if (compact && volume(*compact) <= volume(guaranteed)) return std::move(*compact);
+    return guaranteed;
   }
   return guaranteed_candidate(graph, std::move(green), std::move(red));
 }

@@ -8,8 +8,8 @@ namespace ar3d::diamond {
 
 struct Options {
   /// 0: the construction whose box the theorem's proof bounds. 1: alternating parity, or 0 if that
-  /// passes the theorem's box. 2: the smallest of these, of pairs, of jointly rotated cycles and of
-  /// annealed parity, so never larger than 0 and 1.
+  /// passes the theorem's box; up to kMostCompared vertices the smaller of both. 2: the smallest of
+  /// these, of pairs, of jointly rotated cycles and of annealed parity, so never larger than 0 and 1.
   int effort = kDefaultEffort;
 };
 

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "ar3d/algorithms/efforts.h"
 #include "ar3d/algorithms/grid/order.h"
 #include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/algorithms/grid/routes.h"
@@ -60,11 +61,7 @@ Drawing to_drawing(const Graph& graph, Planes planes) {
   return drawing;
 }
 
-}  // namespace
-
-Drawing draw(const Graph& graph, const Options& options) {
-  check_effort("grid", options.effort, kHighestEffort);
-  refuse_larger_degrees("grid", graph, 3);
+Drawing draw_alone(const Graph& graph, const Options& options) {
   const ProcessingOrder order = processing_order(graph);
   Planes planes = assign_planes(graph, order, {.flat = options.effort > 0});
   const std::int64_t side = own_side(order, planes);
@@ -72,6 +69,14 @@ Drawing draw(const Graph& graph, const Options& options) {
   Drawing drawing = to_drawing(graph, std::move(planes));
   if (graph.num_vertices() > 0) drawing.instance_bound = {side, side, side};
   return drawing;
+}
+
+}  // namespace
+
+Drawing draw(const Graph& graph, const Options& options) {
+  check_effort("grid", options.effort, kHighestEffort);
+  refuse_larger_degrees("grid", graph, 3);
+  return smallest_of_efforts(graph, options, draw_alone);
 }
 
 Algorithm row() {

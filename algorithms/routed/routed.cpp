@@ -9,6 +9,7 @@
 #include "ar3d/algorithms/compact/compact.h"
 #include "ar3d/algorithms/compact_120/compact_120.h"
 #include "ar3d/algorithms/diamond/diamond.h"
+#include "ar3d/algorithms/efforts.h"
 #include "ar3d/algorithms/grid/grid.h"
 #include "ar3d/algorithms/routed/boxes.h"
 #include "ar3d/base/error.h"
@@ -20,15 +21,6 @@ constexpr int kHighestEffort = 2;
 constexpr std::uint32_t kMostVertices = 1u << 27;  // of the fall-backs
 constexpr std::uint32_t kMostRouted = 5000;        // larger graphs have not been tried
 constexpr int kMostMegabytes = 100000;
-
-__extension__ using Volume = unsigned __int128;
-
-/// Extents are below 2^32 in every fall-back, so the volume is below 2^97.
-Volume volume_of(const std::array<std::int64_t, 3>& extents) {
-  Volume product = 1;
-  for (const std::int64_t extent : extents) product *= static_cast<Volume>(extent + 1);
-  return product;
-}
 
 /// The same drawing under the algorithm's own name.
 Drawing renamed(const std::string& name, const Graph& graph, const Drawing& drawing) {

@@ -5,6 +5,7 @@
 // O(n) but for greatest common divisors.
 #include "ar3d/algorithms/two_bend/two_bend.h"
 
+#include "ar3d/algorithms/efforts.h"
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/layout.h"
 #include "ar3d/algorithms/two_bend/lists.h"
@@ -173,11 +174,7 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output,
   census.add(found, order.list.size(), bodies.size());
 }
 
-}  // namespace
-
-Drawing draw(const Graph& graph, const Options& options) {
-  check_effort("two-bend", options.effort, kHighestEffort);
-  refuse_larger_degrees("two-bend", graph, 3);
+Drawing draw_alone(const Graph& graph, const Options& options) {
   const LongArrayReuse reuse;
   Output output(graph);
   TwoBendCensus census;
@@ -191,6 +188,14 @@ Drawing draw(const Graph& graph, const Options& options) {
   drawing.counters = census.counters();
   if (graph.num_vertices() > 0) drawing.instance_bound = census.bound;
   return drawing;
+}
+
+}  // namespace
+
+Drawing draw(const Graph& graph, const Options& options) {
+  check_effort("two-bend", options.effort, kHighestEffort);
+  refuse_larger_degrees("two-bend", graph, 3);
+  return smallest_of_efforts(graph, options, draw_alone);
 }
 
 Algorithm row() {

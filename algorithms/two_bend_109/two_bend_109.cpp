@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ar3d/algorithms/efforts.h"
 #include "ar3d/algorithms/two_bend_109/layout.h"
 #include "ar3d/algorithms/two_bend_109/partition.h"
 #include "ar3d/algorithms/two_bend_109/placement.h"
@@ -133,6 +134,12 @@ class SideBySide {
   std::int64_t jitter_ = 0;
 };
 
+Drawing draw_alone(const Graph& graph, const Options& options) {
+  SideBySide output(graph);
+  output.add_all(options.effort == 0 ? std::nullopt : std::optional(options.first_jitter));
+  return output.finish();
+}
+
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
@@ -143,9 +150,7 @@ Drawing draw(const Graph& graph, const Options& options) {
     throw InputError(fmt::format("two-bend-109: a jitter is a power of 2 up to 2^30, not {}",
                                  options.first_jitter));
   }
-  SideBySide output(graph);
-  output.add_all(options.effort == 0 ? std::nullopt : std::optional(options.first_jitter));
-  return output.finish();
+  return smallest_of_efforts(graph, options, draw_alone);
 }
 
 Algorithm row() {
