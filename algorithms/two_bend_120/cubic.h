@@ -23,12 +23,11 @@ inline std::size_t slot_of(const std::array<EdgeId, 3>& edges, EdgeId edge) {
   return edges[0] == edge ? 0 : edges[1] == edge ? 1 : 2;
 }
 
-/// Step F.1: refuses graphs with a component that is not cubic and 3-connected.
-/// @throws InputError naming the first vertex of another degree, a bridge, or two edges that
-/// together cut a component. Cost: O(n log n) expected.
-void refuse_small_cuts(const Graph& graph);
+/// Step F.1: refuses graphs with a component that is not cubic or has a bridge.
+/// @throws InputError naming the first vertex of another degree, or a bridge. Cost: O(n) expected.
+void refuse_bridges(const Graph& graph);
 
-/// The graph that is left when triangles are contracted as long as there are any but in K4, and how
+/// The graph that is left when triangles are contracted as long as that leaves it simple, and how
 /// to undo it. Nodes are the vertices of the input and, from n on, contracted triangles.
 struct Nests {
   /// A node and its three edges; a contracted triangle's corner i has edge i.
@@ -45,7 +44,8 @@ struct Nests {
   std::vector<Vertex> left;  ///< the nodes that no triangle holds
 };
 
-/// Step F.2: contracts triangles; every component becomes K4 or triangle-free. Cost: O(n).
+/// Step F.2: contracts triangles; 3-connected components become K4 or triangle-free, others may keep
+/// triangles that share an edge. Cost: O(n).
 Nests contract_triangles(const Graph& graph);
 
 }  // namespace ar3d::two_bend_120

@@ -141,18 +141,34 @@ std::vector<Vertex> around(const CubicGraph& graph, Vertex v) {
   return near;
 }
 
+bool is_in_triangle(const CubicGraph& graph, Vertex v) {
+  const std::vector<Vertex> near = around(graph, v);
+  return std::count_if(near.begin(), near.end(), [&](Vertex w) {
+           return w == graph[v][0].to || w == graph[v][1].to || w == graph[v][2].to;
+         }) > 3;
+}
+
 }  // namespace
 
-std::optional<ForkOrder> find_numbering(const CubicGraph& graph) {
+std::optional<ForkOrder> find_numbering(const CubicGraph& graph,
+                                        const std::function<bool(const ForkOrder&)>& accepts) {
+  constexpr int kMostRefused = 100;
   const auto n = static_cast<Vertex>(graph.size());
   StNumbering numbering(graph);
   std::vector<bool> bad(n);
+  for (Vertex v = 0; v < n; ++v) bad[v] = is_in_triangle(graph, v);
+  int refused = 0;
   for (Vertex bottom = 0; bottom < n; ++bottom) {
     const std::vector<Vertex> near = around(graph, bottom);
     for (Vertex top = n; top-- > 0 && !bad[bottom];) {
       if (bad[top] || std::find(near.begin(), near.end(), top) != near.end()) continue;
       const Outcome outcome = numbering.number(bottom, top);
-      if (outcome == Outcome::done) return numbering.result();
+      if (outcome == Outcome::done) {
+        ForkOrder result = numbering.result();
+        if (accepts(result)) return result;
+        if (++refused == kMostRefused) return std::nullopt;
+        continue;
+      }
       bad[outcome == Outcome::bad_bottom ? bottom : top] = true;
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,11 +25,14 @@ struct ForkOrder {
   Vertex top() const { return order.back(); }
 };
 
-/// Step F.3: S, T and the numbering, by trial of the ends in a fixed order.
-/// @param graph  connected, 3-connected, without triangles.
-/// @return nothing if there is none, which happens only with at most ten vertices (Lemma F.3).
-/// Cost: O(n) for every pair of ends that is tried.
-std::optional<ForkOrder> find_numbering(const CubicGraph& graph);
+/// Step F.3: S, T and the numbering, by trial of the ends in a fixed order, until one is accepted or
+/// 100 have not been.
+/// @param graph  connected, without bridges.
+/// @return nothing if there is none, which happens only with at most ten vertices (Lemma F.3), with
+/// two edges that cut the graph, or if none is accepted. Cost: O(n) for every pair of ends that is
+/// tried.
+std::optional<ForkOrder> find_numbering(const CubicGraph& graph,
+                                        const std::function<bool(const ForkOrder&)>& accepts);
 
 /// The two orders of Lemma F.4: the vertices but S and T, ascending by a and by b. Of a D and the
 /// U above it, which have equal a and equal b, only the D is listed.
@@ -37,8 +41,8 @@ struct Orders {
 };
 
 /// Step F.4: orders that keep the conditions 1 to 4.
-/// @throws InternalError if there are none, which needs two edges that cut the graph.
+/// @return nothing if none are found, which needs two edges that cut the graph.
 /// Cost: O(n log n).
-Orders find_orders(const CubicGraph& graph, const ForkOrder& numbering);
+std::optional<Orders> find_orders(const CubicGraph& graph, const ForkOrder& numbering);
 
 }  // namespace ar3d::two_bend_120

@@ -2,7 +2,7 @@
 // goes between its prongs, and a D to its stem. All vertices whose ways up pass one D lie together,
 // in an order that is known but for its direction, which is that of the D in b. In b the same
 // holds upside down. So each fork's direction is that of another one of the other kind, or known;
-// and such a chain ends, because it would else go around between two edges that cut the graph.
+// such a chain ends, or goes around between two edges that cut the graph and agrees with itself or not.
 // Cost: O(n log n), for the ancestors.
 #include <optional>
 #include <utility>
@@ -173,24 +173,33 @@ bool NestedOrder::before(Item x, Item y) const {
 }
 
 /// For every inner vertex: whether its first prong has the larger value, in a for a U and in b for
-/// a D. A chain of vertices whose directions hang together is followed to one that is known.
-std::vector<bool> directions(const ForkOrder& numbering, const NestedOrder& a,
-                             const NestedOrder& b) {
+/// a D. A chain of vertices whose directions hang together is followed to one that is known, or
+/// around. @return nothing if one that goes around does not agree with itself.
+std::optional<std::vector<bool>> directions(const ForkOrder& numbering, const NestedOrder& a,
+                                            const NestedOrder& b) {
   const auto& forks = numbering.forks;
-  std::vector<bool> backwards(forks.size()), known(forks.size());
+  const auto order_of = [&](Vertex v) -> const NestedOrder& { return forks[v].opens_up ? a : b; };
+  std::vector<bool> backwards(forks.size()), known(forks.size()), met(forks.size());
   known[numbering.bottom()] = known[numbering.top()] = true;
   std::vector<Vertex> chain;
   for (Vertex begin = 0; begin < forks.size(); ++begin) {
-    for (Vertex v = begin; !known[v];) {
-      expect(chain.size() < forks.size(), "no two edges cut the graph");
+    Vertex v = begin;
+    for (; !known[v] && !met[v]; v = order_of(v).dominator(v)) {
       chain.push_back(v);
-      v = (forks[v].opens_up ? a : b).dominator(v);
+      met[v] = true;
+    }
+    if (!known[v]) {  // v is free, if the others of its circle leave it as it is
+      bool turns = false;
+      for (auto w = chain.rbegin(); w != chain.rend(); ++w) {
+        turns = turns != order_of(*w).prongs_reversed(*w);
+        if (*w == v) break;
+      }
+      if (turns) return std::nullopt;
     }
     for (; !chain.empty(); chain.pop_back()) {
-      const Vertex v = chain.back();
-      const NestedOrder& order = forks[v].opens_up ? a : b;
-      backwards[v] = backwards[order.dominator(v)] != order.prongs_reversed(v);
-      known[v] = true;
+      const Vertex w = chain.back();
+      backwards[w] = backwards[order_of(w).dominator(w)] != order_of(w).prongs_reversed(w);
+      known[w] = true;
     }
   }
   return backwards;
@@ -208,7 +217,7 @@ Vertex median(const std::vector<Vertex>& order, const std::array<Vertex, 3>& thr
 
 }  // namespace
 
-Orders find_orders(const CubicGraph& graph, const ForkOrder& numbering) {
+std::optional<Orders> find_orders(const CubicGraph& graph, const ForkOrder& numbering) {
   const auto neighbours = [&](Vertex v, std::size_t middle) {
     std::array<Vertex, 3> near{};
     for (std::size_t i = 0; i < 3; ++i) near[(i + 4 - middle) % 3] = graph[v][i].to;
@@ -220,11 +229,12 @@ Orders find_orders(const CubicGraph& graph, const ForkOrder& numbering) {
     const auto above = neighbours(numbering.top(), i), below = neighbours(numbering.bottom(), j);
     if (!a[i]) a[i].emplace(numbering, true, above);
     if (!b[j]) b[j].emplace(numbering, false, below);
-    const std::vector<bool> backwards = directions(numbering, *a[i], *b[j]);
-    Orders orders{a[i]->sequence(backwards), b[j]->sequence(backwards)};
+    const auto backwards = directions(numbering, *a[i], *b[j]);
+    if (!backwards) continue;
+    Orders orders{a[i]->sequence(*backwards), b[j]->sequence(*backwards)};
     if (median(orders.b, above) != above[1] && median(orders.a, below) != below[1]) return orders;
   }
-  throw InternalError("internal error: one of nine outer orders keeps condition 4");
+  return std::nullopt;
 }
 
 }  // namespace ar3d::two_bend_120

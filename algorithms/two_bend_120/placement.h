@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -67,7 +68,7 @@ struct SmallCore {
 std::span<const SmallCore> small_cores();
 
 /// The drawing of a connected graph from the table, its vertices and lines in the graph's names.
-/// @throws InternalError if it is not isomorphic to one of the table. O(1): at most ten vertices.
-SmallCore small_core_of(const CubicGraph& graph);
+/// @return nothing if it is not isomorphic to one of the table. O(1): at most ten vertices.
+std::optional<SmallCore> small_core_of(const CubicGraph& graph);
 
 }  // namespace ar3d::two_bend_120

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ar3d/algorithms/two_bend_120/placement.h"
-#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_120 {
 namespace {
@@ -50,7 +49,7 @@ bool extend(const SmallCore& small, const CubicGraph& graph, std::vector<Vertex>
 
 std::span<const SmallCore> small_cores() { return table(); }
 
-SmallCore small_core_of(const CubicGraph& graph) {
+std::optional<SmallCore> small_core_of(const CubicGraph& graph) {
   for (const SmallCore& small : small_cores()) {
     std::vector<Vertex> names;
     if (small.at.size() != graph.size() || !extend(small, graph, names)) continue;
@@ -60,7 +59,7 @@ SmallCore small_core_of(const CubicGraph& graph) {
       line = {names[line.u], names[line.v], line.bends};
     return result;
   }
-  throw InternalError("internal error: the table has every core without a numbering");
+  return std::nullopt;
 }
 
 }  // namespace ar3d::two_bend_120

@@ -1,7 +1,7 @@
 // Step F.2: contraction of triangles, one at a time, from a list of vertices that may be in one: all
 // at first, then the contracted ones, since a new triangle has one as a corner. In a 3-connected
 // cubic graph other than K4 the three edges of a triangle end in three other vertices, and
-// contraction leaves the graph simple, cubic and 3-connected. Cost: O(n).
+// contraction leaves the graph simple, cubic and 3-connected; else K4 - e may stay. Cost: O(n).
 #include <algorithm>
 #include <utility>
 
@@ -52,7 +52,7 @@ class TriangleContractor {
   }
 
   /// @param sides  side i is the one between the other two corners.
-  /// @return false if two of the outer edges end in one vertex: the component is K4.
+  /// @return false if two of the outer edges end in one vertex.
   bool contract(std::array<Vertex, 3> corners, std::array<EdgeId, 3> sides) {
     Nests::Nest whole;
     whole.corners = corners;
@@ -62,9 +62,8 @@ class TriangleContractor {
         if (e != sides[(i + 1) % 3] && e != sides[(i + 2) % 3]) whole.edges[i] = e;
       }
     }
-    if (other_end(whole.edges[0], corners[0]) == other_end(whole.edges[1], corners[1])) {
-      return false;
-    }
+    const auto outer = [&](std::size_t i) { return other_end(whole.edges[i], corners[i]); };
+    if (outer(0) == outer(1) || outer(1) == outer(2) || outer(2) == outer(0)) return false;
     // Lemma F.8: edge i leaves along direction i, which side k, of corners i and j, has at corner j.
     const auto reach_of = [&](std::size_t corner, EdgeId e) {
       const Nests::Nest& nest = result_.nodes[corners[corner]];

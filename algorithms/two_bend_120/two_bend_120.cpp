@@ -3,6 +3,8 @@
 // (Lemma F.8). Cores without a numbering come from a table. Cost: O(n log n) and Step F.3.
 #include "ar3d/algorithms/two_bend_120/two_bend_120.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
 #include <utility>
@@ -87,8 +89,13 @@ class Painter {
 
   void draw(const Core& core) {
     ++components_;
-    if (const auto numbering = find_numbering(core.graph)) {
-      draw_by_orders(core, *numbering);
+    std::optional<Orders> orders;
+    const auto numbering = find_numbering(core.graph, [&](const ForkOrder& found) {
+      orders = find_orders(core.graph, found);
+      return orders.has_value();
+    });
+    if (numbering) {
+      draw_by_orders(core, *numbering, *orders);
     } else {
       draw_from_table(core);
     }
@@ -103,9 +110,8 @@ class Painter {
     stand_beside(points, edges);
   }
 
-  /// Steps F.4, F.5 and F.6.
-  void draw_by_orders(const Core& core, const ForkOrder& numbering) {
-    const Orders orders = find_orders(core.graph, numbering);
+  /// Steps F.5 and F.6.
+  void draw_by_orders(const Core& core, const ForkOrder& numbering, const Orders& orders) {
     const ForkPlaces placement = place(core.graph, numbering, orders, core.reach);
     for (Vertex v = 0; v < core.graph.size(); ++v) {
       const Vector at = to_grid(placement.at[v]);
@@ -167,7 +173,16 @@ void Painter::draw_from_table(const Core& core) {
   for (const auto& each : core.reach) reach = std::max({reach, each[0], each[1], each[2]});
   const std::int64_t scale = reach == 1 ? 1 : 2 * std::int64_t{reach};
   const auto scaled = [&](Point p) { return Point{scale * p.x, scale * p.y, scale * p.z}; };
-  const SmallCore small = small_core_of(core.graph);
+  const auto found = small_core_of(core.graph);
+  if (!found) {
+    Vertex v = core.nodes[0];
+    while (v >= graph_.num_vertices()) v = contraction_.nodes[v].corners[0];
+    throw InputError(
+        fmt::format("two-bend-120 found no drawing of the component of vertex {}, which two edges "
+                    "cut (vertices count from 0)",
+                    v));
+  }
+  const SmallCore& small = *found;
   for (Vertex v = 0; v < small.at.size(); ++v) at_[core.nodes[v]] = scaled(small.at[v]);
   for (const auto& [u, v, bends] : small.lines) {
     std::size_t slot = 0;
@@ -229,7 +244,7 @@ void Painter::stand_beside(const std::vector<Vertex>& points, const std::vector<
 Drawing draw(const Graph& graph) {
   refuse_larger_degrees("two-bend-120", graph, 3);
   refuse_more_vertices("two-bend-120", graph, kMostVertices);
-  refuse_small_cuts(graph);
+  refuse_bridges(graph);
   const Nests contraction = contract_triangles(graph);
   Painter painter(graph, contraction);
   painter.draw_all();
@@ -240,7 +255,7 @@ Algorithm row() {
   Algorithm row;
   row.name = "two-bend-120";
   row.summary =
-      "cubic and 3-connected components, at most 2 bends per edge, 120 degrees along face "
+      "cubic and 3-connected components, some bridgeless ones, 2 bends, 120 degrees along face "
       "diagonals, in a box of O(n^2) x O(n^2) x O(n)";
   row.source = "the paper's third open question";
   row.by_name_only = true;

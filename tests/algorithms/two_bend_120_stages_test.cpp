@@ -31,8 +31,8 @@ struct Ordered {
       random = generate(testing_family(), 60, seed += 1000);
     }
     graph = cubic(random);
-    numbering = *find_numbering(graph);
-    orders = find_orders(graph, numbering);
+    numbering = *find_numbering(graph, [](const ForkOrder&) { return true; });
+    orders = find_orders(graph, numbering).value();
   }
   static const Family& testing_family() { return find_family("random-cubic"); }
 
@@ -103,6 +103,39 @@ TEST(TwoBend120Orders, KeepTheirConditions) {
     }
     EXPECT_TRUE(test.has_words(test.orders));
   }
+}
+
+/// The whole connected graph after Step F.2.
+CubicGraph core_of(const Graph& graph) {
+  const Nests nests = contract_triangles(graph);
+  std::vector<Vertex> name(nests.nodes.size());
+  for (Vertex i = 0; i < nests.left.size(); ++i) name[nests.left[i]] = i;
+  CubicGraph core(nests.left.size());
+  for (Vertex i = 0; i < core.size(); ++i) {
+    for (std::size_t slot = 0; slot < 3; ++slot) {
+      const EdgeId edge = nests.nodes[nests.left[i]].edges[slot];
+      const Edge ends = nests.ends[edge];
+      core[i][slot] = {name[ends.u == nests.left[i] ? ends.v : ends.u], edge};
+    }
+  }
+  return core;
+}
+
+// The pairs of edges that cut these graphs let chains return, but never against themselves.
+TEST(TwoBend120Orders, AreFoundWhereverThereAreEnds) {
+  int with_ends = 0, without = 0;
+  for (const int n : {8, 10, 12}) {
+    for (const Graph& graph : testing::geng("-C -d3 -D3 " + std::to_string(n))) {
+      const CubicGraph core = core_of(graph);
+      const auto numbering = find_numbering(core, [](const ForkOrder&) { return true; });
+      ++(numbering ? with_ends : without);
+      EXPECT_EQ(numbering.has_value(), find_numbering(core, [&](const ForkOrder& found) {
+                                         return find_orders(core, found).has_value();
+                                       }).has_value());
+    }
+  }
+  EXPECT_EQ(with_ends, 1 + 7 + 45);
+  EXPECT_EQ(without, 4 + 11 + 36);
 }
 
 // A vertex of degree 3 has one place among its neighbours in at least one order, so few others do.

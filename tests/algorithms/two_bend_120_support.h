@@ -50,6 +50,14 @@ inline bool is_cubic_and_3_connected(const Graph& graph) {
   return graph.num_vertices() > 0;
 }
 
+/// Whether the graph is drawn, which is certified then; what has to be drawn is.
+inline bool is_drawn_or_refused_120(const Graph& graph, bool has_to_be_drawn) {
+  const std::string fault = two_bend_120_fault(graph);
+  const bool is_refused = fault.starts_with("two-bend-120 ");
+  EXPECT_TRUE(fault.empty() || (is_refused && !has_to_be_drawn)) << fault;
+  return fault.empty();
+}
+
 /// The cubic graph with vertex v replaced by a triangle, of v and the two last vertices; v keeps its
 /// edge to its first neighbour.
 inline Graph with_triangle(const Graph& graph, Vertex v) {
