@@ -112,9 +112,11 @@ class DotParser final : public GraphParser {
     for (;;) {
       if (!words_.peek().is_name()) fail("expected a vertex, found");
       const bool is_html = words_.peek().is_html;
+      const std::size_t at = words_.peek().at;
       const std::string id = read_text();
-      if (std::ranges::any_of(id, is_control)) {
-        fail(fmt::format("a control character in the name {} before", shown(id)));
+      if (const auto problem = name_problem(id)) words_.fail(at, *problem);
+      if (id.starts_with('%')) {
+        words_.fail(at, fmt::format("{}: names that begin with % are Graphviz's own", shown(id)));
       }
       if (may_be_setting && vertices.empty() && words_.peek().is("=")) {
         words_.next();
@@ -172,7 +174,8 @@ class DotParser final : public GraphParser {
         if (!words_.peek().is_name()) fail("expected a value, found");
         const std::string value = read_text();
         const bool is_label = name == "label" || name == "name";
-        if (is_label && value != "\\N" && !value.empty()) {
+        if (is_label && value != "\\N" && !value.empty() && !vertices.empty()) {
+          if (const auto problem = name_problem(value)) fail(*problem + " before");
           for (const Vertex v : vertices) graph_.set_name(v, value);
         }
         if (words_.peek().is(";") || words_.peek().is(",")) words_.next();
@@ -195,41 +198,28 @@ void append_dot(OutputFile& output, const Graph& graph, unsigned) {
 
 /// Behind comments "strict", "graph" or "digraph", maybe a name, and a {.
 bool looks_like_dot(const InputHead& head) {
-  std::string_view text = head.body;
-  const auto skip_to = [&](std::size_t at) { text.remove_prefix(std::min(at, text.size())); };
-  const auto skip_blanks = [&] { skip_to(text.find_first_not_of(" \t\r\n")); };
-  for (;;) {
-    skip_blanks();
-    if (text.starts_with("//") || text.starts_with('#')) {
-      skip_to(text.find('\n'));
-    } else if (text.starts_with("/*")) {
-      skip_to(text.find("*/"));
-      skip_to(2);
-    } else {
-      break;
-    }
-  }
+  std::string_view text = first_text(head.body);
+  const auto skip_to = [&](std::size_t at) {
+    text = first_text(text.substr(std::min(at, text.size())));
+  };
   const auto skip_word = [&](std::string_view word) {
     if (!boost::algorithm::istarts_with(text, word)) return false;
     const std::string_view rest = text.substr(word.size());
     if (!rest.empty() && std::string_view(" \t\r\n{\"/").find(rest[0]) == std::string_view::npos) {
       return false;
     }
-    text = rest;
-    skip_blanks();
+    text = first_text(rest);
     return true;
   };
   const bool is_strict = skip_word("strict");
   if (!skip_word("graph") && !skip_word("digraph")) return is_strict && head.ending == "dot";
   if (head.ending == "dot") return true;
   if (text.starts_with('"')) {
-    skip_to(text.find('"', 1));
-    skip_to(1);
+    skip_to(text.find('"', 1) + 1);
   } else {
     skip_to(text.find_first_of(" \t\r\n{"));
   }
-  skip_blanks();
-  return text.starts_with('{') || text.starts_with('/');
+  return text.starts_with('{');
 }
 
 }  // namespace

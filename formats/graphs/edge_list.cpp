@@ -15,6 +15,9 @@
 namespace ar3d {
 namespace {
 
+constexpr const char* kCommentOrName =
+    "{} is a comment or begins with a name: --from edgelist reads a comment, quotes tell a name";
+
 class EdgeListParser final : public GraphParser {
  public:
   EdgeListParser(TextInput& input, const ReadOptions& options)
@@ -88,9 +91,15 @@ class EdgeListParser final : public GraphParser {
     }
     const bool is_one_word = word != std::string_view::npos && word > 1 &&
                              line.find_first_of(" \t", word) == std::string_view::npos;
+    if (line[0] == '%' && !shape_.is_forced && !graph_.stated().is_konect && !graph_.has_size()) {
+      const ListRow row = RowCut{}(input_, line);  // "% 0" and "% 0 {}" are edges in other programs
+      if (row.size() == 2 || (row.size() == 3 && is_attribute(row[2]))) {
+        input_.fail(1, fmt::format(kCommentOrName, shown(line)));
+      }
+    }
     if (graph_.num_rows() == 0 && !shape_.heading) {
       is_like_lgl_ = is_like_lgl_ || (input_.line() == 1 && line[0] == '#' && is_one_word);
-    } else if (!shape_.is_forced && line[0] == '#' &&
+    } else if (!has_columns(line) && !shape_.is_forced && line[0] == '#' &&
                (word == std::string_view::npos || is_one_word)) {
       if (word == std::string_view::npos) {
         input_.fail(0,
@@ -103,24 +112,29 @@ class EdgeListParser final : public GraphParser {
                                    ".write_graphml(OUTPUT)",
                                    shown(line)));
       }
-    } else if ((graph_.is_named() || shape_.cut.separator != 0) && (line[0] == '%' || word == 1)) {
-      input_.fail(1, fmt::format("{} is a comment or begins with a name: a blank behind the # or "
-                                 "quotes tell",
-                                 shown(line)));
+    } else if (!shape_.is_forced && (graph_.is_named() || shape_.cut.separator != 0) &&
+               (line[0] == '%' || word == 1 || has_columns(line))) {
+      input_.fail(1, fmt::format(kCommentOrName, shown(line)));
     }
     graph_.stated().read(input_, line);
+  }
+
+  /// Is that comment cut into as many fields as the table has columns?
+  bool has_columns(std::string_view line) const {
+    const auto separators = std::ranges::count(line, shape_.cut.separator);
+    return shape_.cut.separator != 0 &&
+           static_cast<std::size_t>(separators) + 1 == std::max<std::size_t>(shape_.columns, 2);
   }
 
   /// @throws InputError if a comment above the rows of a table of names is one of its rows as well.
   void refuse_unclear_comment() {
     const auto [text, line] = std::exchange(unclear_, {});
     const bool is_table = graph_.is_named() && shape_.cut.separator != 0 && !shape_.heading;
-    if (text.empty() || !is_table || is_heading_of_ends(std::string_view(text).substr(1))) return;
+    if (text.empty() || !is_table || shape_.is_forced ||
+        is_heading_of_ends(std::string_view(text).substr(1)))
+      return;
     if (text.find(shape_.cut.separator) == std::string::npos) return;
-    input_.fail_at(line, 1,
-                   fmt::format("{} is a comment or begins with a name: a blank behind the {} or "
-                               "quotes tell",
-                               shown(text), text[0]));
+    input_.fail_at(line, 1, fmt::format(kCommentOrName, shown(text)));
   }
 
   void read_line(std::string_view line) {
@@ -157,7 +171,7 @@ class EdgeListParser final : public GraphParser {
     graph_.note_heading(input_.line(), row);
     return true;
   }
-  void check_columns(const ListRow& row, EndColumns ends) const {
+  void check_columns(const ListRow& row, EndColumns ends) {
     const bool is_short = row.size() < 2 || row.size() <= std::max(ends.source, ends.target);
     if (is_short) {
       input_.fail(0, "expected two ends of an edge, found the end of the line");
@@ -184,12 +198,14 @@ class EdgeListParser final : public GraphParser {
   static char plain_type(const std::string& text) {
     return text.empty() ? ' ' : static_cast<char>(text[0] | 0x20);
   }
-  void check_attributes(const ListRow& row) const {
+  void check_attributes(const ListRow& row) {
     // Three ids or a weight? Only a list that is called one, or a table, has whole weights.
-    const bool may_be_whole = shape_.cut.separator != 0 || shape_.is_told;
+    const bool may_be_whole =
+        shape_.cut.separator != 0 || shape_.is_told || graph_.stated().is_konect;
     const bool is_whole = row[2].text.find_first_not_of("-0123456789") == std::string::npos;
     const bool is_good = is_attribute(row[2]) && (may_be_whole || !is_whole);
-    if (is_good && row.size() == 3) return;
+    const bool has_time = graph_.stated().is_konect && row.size() == 4 && is_attribute(row[3]);
+    if (is_good && (row.size() == 3 || has_time)) return;
     const ListField& odd = row[is_good ? 3 : 2];
     input_.fail(odd.column, fmt::format("unexpected {} after the edge", shown(odd.text)));
   }

@@ -29,6 +29,8 @@ constexpr Beginning kBytes[] = {
     {"\x1f\x9d"sv, "packed by compress", "`gzip -d` unpacks it"},
     {"%PDF-"sv, "a PDF", "save the graph itself"},
     {"\x89PNG"sv, "a picture (PNG)", "save the graph itself"},
+    {"\x93NUMPY"sv, "an array of numpy (.npy)",
+     "as_graph(numpy.load(FILE)) of the package reads it"},
     {"PAR1"sv, "Parquet", "pandas makes CSV of it: read_parquet(FILE).to_csv(OUTPUT)"},
     {"SQLite format 3"sv, "a database of SQLite", "export a table of edges as CSV"},
     {"\x7f"
@@ -53,17 +55,18 @@ constexpr Beginning kWords[] = {
 constexpr std::string_view kStars[] = {"*vertices", "*network", "*arcs",
                                        "*edges",    "*matrix",  "*node"};
 
+}  // namespace
+
 std::string_view first_text(std::string_view text) {
-  for (;;) {  // behind blanks and comments
+  for (;;) {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
     const bool is_block = text.starts_with("/*");
-    if (!is_block && !text.starts_with('#') && !text.starts_with("% ")) return text;
+    const bool is_line = text.starts_with('#') || text.starts_with("% ") || text.starts_with("//");
+    if (!is_block && !is_line) return text;
     const std::size_t end = is_block ? text.find("*/") : text.find('\n');
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 2 - (is_block ? 0 : 1));
   }
 }
-
-}  // namespace
 
 void refuse_foreign(TextInput& input, bool is_forced) {
   const auto refuse = [&](const char* what, const std::string& way) {
@@ -105,6 +108,9 @@ void refuse_foreign(TextInput& input, bool is_forced) {
     refuse("UCINET's DL", "igraph reads it: Graph.Read_DL(FILE).write_graphml(OUTPUT)");
   }
   if (is_forced) return;
+  if (input.name().ends_with(".sif")) {
+    refuse("SIF of Cytoscape by its ending", "Cytoscape exports it as GraphML");
+  }
   if (input.name().ends_with(".lgl")) {
     refuse("LGL by its ending", "igraph reads it: Graph.Read_Lgl(FILE).write_graphml(OUTPUT)");
   }

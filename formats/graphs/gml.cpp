@@ -1,8 +1,11 @@
 // GML: lists of keys and values in brackets; nodes have ids of their own. Other keys are read over.
+// Reference: networkx (parse_gml) and igraph (Read_GML).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
+#include <cctype>
 #include <string>
 
 #include "ar3d/formats/graphs/word_text.h"
@@ -16,6 +19,12 @@ bool is_key(const TextWord& word, std::string_view key) {
   return boost::algorithm::iequals(word.text, key);
 }
 
+bool may_be_key(const TextWord& word) {
+  return word.kind == TextWord::Kind::plain && std::ranges::all_of(word.text, [](unsigned char c) {
+           return std::isalnum(c) || c == '_';
+         });
+}
+
 class GmlParser final : public GraphParser {
  public:
   GmlParser(TextInput& input, const ReadOptions& options)
@@ -24,7 +33,7 @@ class GmlParser final : public GraphParser {
   std::optional<Graph> next() override {
     while (words_.peek().kind != TextWord::Kind::end) {
       const TextWord key = words_.next();
-      if (key.kind != TextWord::Kind::plain) fail(key, "expected a key");
+      if (!may_be_key(key)) fail(key, "expected a key, found");
       if (is_key(key, "graph") && words_.peek().is("[")) return read_graph();
       skip_value(key);
     }
@@ -40,7 +49,7 @@ class GmlParser final : public GraphParser {
     while (!words_.peek().is("]")) {
       const TextWord key = words_.next();
       if (key.kind == TextWord::Kind::end) words_.fail(open.at, "a [ is never closed");
-      if (key.kind != TextWord::Kind::plain) fail(key, "expected a key or ]");
+      if (!may_be_key(key)) fail(key, "expected a key or ], found");
       take(key);
     }
     words_.next();
@@ -87,12 +96,15 @@ class GmlParser final : public GraphParser {
         if (id) fail(key, "a second");
         return id = value_of(key), void();
       }
-      if (is_key(key, "label")) return label = value_of(key), void();
+      if (is_key(key, "label")) {
+        if (!label.empty()) fail(key, "a second");
+        return label = value_of(key), void();
+      }
       skip_value(key);
     });
     if (!id) fail(node, "no id in a");
-    if (std::ranges::any_of(label, is_control)) {
-      fail(node, fmt::format("a control character in the label {} of a", shown(label)));
+    if (const auto problem = name_problem(label.empty() ? *id : label)) {
+      words_.fail(node.at, *problem);
     }
     if (graph_.find(*id)) fail(node, fmt::format("id {} stands twice: the second", shown(*id)));
     const Vertex v = graph_.vertex(*id);

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "ar3d/base/printable.h"
+#include "ar3d/formats/text/tokens.h"
+
 namespace ar3d {
 namespace {
 constexpr std::uint64_t kMostVertices = std::numeric_limits<Vertex>::max() - 1;
@@ -33,6 +36,15 @@ std::vector<std::string> telling_names(std::vector<std::string> names) {
     if (names[v] != number && names[v] != "n" + number) return names;
   }
   return {};
+}
+
+std::optional<std::string> name_problem(std::string_view text) {
+  if (std::ranges::any_of(text, is_control)) {
+    return fmt::format("a control character in the name {}", shown(text));
+  }
+  if (valid_utf8(text) == text) return std::nullopt;
+  return fmt::format("{} is no UTF-8: `iconv -f LATIN1 -t UTF-8` or the like makes it so",
+                     shown(text));
 }
 
 void simplify(std::vector<Edge>& edges) {

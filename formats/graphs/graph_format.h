@@ -79,6 +79,9 @@ struct InputHead {
 /// The name of the format that the file's ending says; empty if it says none, as ".txt".
 std::string_view told_format(std::string_view name);
 
+/// What stands behind blanks and comments (#, //, "% " and /* */).
+std::string_view first_text(std::string_view text);
+
 /// @throws InputError where the text is no graph but what stands in its place (a page of HTML, an
 /// archive, a pointer of git-lfs), or of a format that others read, with what converts it; by the
 /// ending alone not if the format is forced.
@@ -116,6 +119,9 @@ void append_edges(OutputFile& output, const Graph& graph,
 
 /// The names, or none if they are just the numbers from 0, or n and these.
 std::vector<std::string> telling_names(std::vector<std::string> names);
+
+/// Why that text is no name of a vertex: a control character, or bytes that are no UTF-8.
+std::optional<std::string> name_problem(std::string_view text);
 
 /// Drops loops, and of parallel edges all but one; what stays is ordered by (u, v), u < v.
 /// O(m log m).

@@ -1,6 +1,6 @@
 // GraphML, parsed by pugixml: vertices are numbered in the order of their <node> elements; a file
 // may hold several <graph> elements. Attributes are read over. The whole file is held in memory
-// while it is read.
+// while it is read. Reference: networkx (read_graphml) and igraph (Read_GraphML).
 #include <fmt/format.h>
 
 #include <cstring>
@@ -96,6 +96,8 @@ class GraphmlParser final : public GraphParser {
         fail(element, "hyperedges are not read");
       }
     }
+    check_stated(graph, "parse.nodes", ids.size());
+    check_stated(graph, "parse.edges", edge_elements.size());
     std::vector<Edge> edges;
     for (const pugi::xml_node element : edge_elements) edges.push_back(read_edge(element, ids));
     if (options_.simplify) simplify(edges);
@@ -104,6 +106,13 @@ class GraphmlParser final : public GraphParser {
     } catch (const EdgeError& error) {
       fail(edge_elements[error.edge()], error.what());
     }
+  }
+
+  void check_stated(pugi::xml_node graph, const char* count, std::size_t found) const {
+    const std::string_view stated = graph.attribute(count).value();
+    if (stated.empty() || stated == fmt::format("{}", found)) return;
+    fail(graph,
+         fmt::format("{} is {}, found {}: is the file cut short?", count, shown(stated), found));
   }
 
   void refuse_graphs_inside(pugi::xml_node element) const {
@@ -116,6 +125,7 @@ class GraphmlParser final : public GraphParser {
     refuse_graphs_inside(element);
     const pugi::xml_attribute id = element.attribute("id");
     if (!id) fail(element, "a node without an id");
+    if (const auto problem = name_problem(id.value())) fail(element, *problem);
     if (!ids.add(id.value())) {  // its text lies in the document
       fail(element, fmt::format("node {} stands twice", shown(id.value())));
     }

@@ -29,11 +29,15 @@ void ListGraph::begin(std::optional<std::uint64_t> n, unsigned base, bool is_nam
   stated_ = StatedCounts();
   rows_ = 0;
   most_fields_ = 0;
-  is_counted_ = false;
+  is_counted_ = has_bare_row_ = false;
+  whole_weight_line_ = 0;
 }
 
 void ListGraph::read_plain_edges() {
-  rows_ += edges_.read_plain_edges(*input_, "", std::numeric_limits<std::uint64_t>::max());
+  const std::uint64_t plain =
+      edges_.read_plain_edges(*input_, "", std::numeric_limits<std::uint64_t>::max());
+  has_bare_row_ = has_bare_row_ || plain > 0;
+  rows_ += plain;
 }
 
 void ListGraph::add(const ListRow& row, const ListField& a, const ListField& b) {
@@ -69,6 +73,11 @@ void ListGraph::note_heading(std::uint64_t line, const ListRow& row) const {
 
 void ListGraph::look_at_columns(const ListRow& row, const ListField& a, const ListField& b) {
   most_fields_ = rows_ == 0 ? 0 : std::max(most_fields_, row.size());
+  if (shape_->cut.separator == 0) {
+    if (row.size() < 3 || !is_list_number(row[2].text)) has_bare_row_ = true;
+    const bool has_whole = row.size() == 3 && is_whole_number(row[2].text);
+    if (has_whole && whole_weight_line_ == 0) whole_weight_line_ = input_->line();
+  }
   const bool is_count = row.size() == 3 && is_whole_number(a.text) && is_whole_number(row[2].text);
   if (rows_ == 0) first_count_ = is_count ? number_of(a).value_or(2) : 2;
   is_counted_ = is_count && shape_->cut.separator != 0 && (rows_ == 0 || is_counted_) &&
@@ -161,7 +170,7 @@ void ListGraph::read_numbers(const ListRow& row, const ListField& a, const ListF
     return join(a, b);
   }
   const bool may_be_header = rows_ == 0 && !known_n_ && !shape_->heading && row.size() == 2 &&
-                             options_.first_line != FirstLine::edge;
+                             !a.is_quoted && !b.is_quoted && options_.first_line != FirstLine::edge;
   if (!may_be_header) return add_numbers(*u, a, *v, b);
   First first{row, input_->line(), *u, *v, {}, {}};
   try {
@@ -201,6 +210,12 @@ Graph ListGraph::finish() {
   refuse_counted_rows();
   if (first_ && is_numbers(*first_) && !is_named_) decide_first_line();
   if (first_ && !is_numbers(*first_)) decide_heading();
+  if (whole_weight_line_ > 0 && has_bare_row_) {  // 0 1 2 and 3 4
+    input_->fail_at(
+        whole_weight_line_, 0,
+        "a whole number behind the two ends, but not in every line: is it a weight, or is "
+        "a line break missing?");
+  }
   if (stated_.is_directed && !options_.undirected) {
     input_->fail_at(1, 0, "directed edges are not read (--undirected drops directions)");
   }

@@ -49,6 +49,8 @@ class ListGraph {
   StatedCounts& stated() { return stated_; }
   std::uint64_t num_rows() const { return rows_; }
   bool is_named() const { return is_named_; }
+  /// Has a line "# vertices N" begun the graph?
+  bool has_size() const { return known_n_.has_value(); }
   std::vector<std::string> names() const { return named_.names(); }
 
   void note_heading(std::uint64_t line, const ListRow& row) const;
@@ -94,6 +96,8 @@ class ListGraph {
   std::size_t most_fields_ = 0;           // of a row behind the first one
   bool is_counted_ = false;               // the first of three columns counts the rows ...
   std::uint64_t first_count_ = 0;         // ... from here
+  std::uint64_t whole_weight_line_ = 0;   // the first one with such a weight behind two words
+  bool has_bare_row_ = false;             // one without
   std::optional<First> first_;
   StatedCounts stated_;
   bool is_named_ = false;

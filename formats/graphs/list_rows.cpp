@@ -13,6 +13,8 @@
 #include <system_error>
 #include <utility>
 
+#include "ar3d/base/error.h"
+#include "ar3d/formats/graphs/graph_format.h"
 #include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {
@@ -72,11 +74,34 @@ bool has_whole_brackets(std::string_view text) {
   return open.empty();
 }
 
+/// From its { to the } of that, which ends the text; braces in strings are none.
+bool is_one_dictionary(std::string_view text) {
+  std::size_t depth = 0;
+  char quote = '\0';
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (quote != '\0') {
+      if (c == '\\') ++at;
+      if (c == quote) quote = '\0';
+    } else if (c == '\'' || c == '"') {
+      quote = c;
+    } else if (c == '{') {
+      ++depth;
+    } else if (c == '}' && depth > 0) {
+      --depth;
+    }
+    if (depth == 0) return at > 0 && at + 1 == text.size();
+  }
+  return false;
+}
+
 bool is_separator(char c) { return c == ',' || c == ';'; }
 
-bool is_several_numbers(const ListField& field) {
-  return !field.is_quoted && field.text.find(' ') != std::string::npos &&
-         field.text.find_first_not_of("0123456789 ") == std::string::npos;
+bool is_several_numbers(const ListField& field, const char* between = " ") {
+  const std::string& text = field.text;
+  return !field.is_quoted && text.find_first_of(between) != std::string::npos &&
+         is_digit(text.front()) && is_digit(text.back()) &&
+         text.find_first_not_of(std::string("0123456789") + between) == std::string::npos;
 }
 
 /// Can this be a row of a list that is cut so?
@@ -129,7 +154,7 @@ ListRow RowCut::operator()(const TextInput& input, std::string_view line) const 
       }
     } else {
       const std::string_view rest = line.substr(at, line.find_last_not_of(" \t\r") + 1 - at);
-      const bool is_rest = row.size() > 2 && rest.starts_with('{') && rest.ends_with('}');
+      const bool is_rest = row.size() > 2 && is_one_dictionary(rest);
       const std::size_t begin = at;
       while (at < line.size() && (is_rest || !ends(line[at]))) ++at;
       field.text = line.substr(begin, at - begin);
@@ -164,7 +189,12 @@ RowCut cut_of(const TextInput& input, std::string_view line) {
   }
   // A comma may be the decimal one of a weight: 0;1;0,5
   if (ways.size() == 2 && RowCut{';', true}(input, line).size() == 3) ways.pop_back();
-  if (fits_cut(words)) ways.push_back(words);
+  if (fits_cut(words)) {
+    if (const std::size_t tabs = line.find("\t\t"); ways.empty() && tabs != line.npos) {
+      input.fail(tabs + 1, "two tabs: a field may be missing between them, one tab or blank tells");
+    }
+    ways.push_back(words);
+  }
   if (ways.size() == 1) return ways[0];
   if (ways.size() > 1) {
     input.fail(0, fmt::format("{} can be cut at '{}' and at {}: names in quotes tell", shown(line),
@@ -228,14 +258,14 @@ bool is_attribute(const ListField& field) {
 std::optional<std::string> end_problem(const ListField& field, bool is_headed) {
   const std::string& text = field.text;
   if (text.empty()) return "an end of an edge is missing";
-  const auto is_odd = [&](char c) { return is_control(c) && !(field.is_quoted && c == '\t'); };
-  if (std::ranges::any_of(text, is_odd)) {
-    return fmt::format("{} holds a control character", shown(text));
-  }
+  std::string name = text;
+  if (field.is_quoted) std::ranges::replace(name, '\t', ' ');
+  if (auto problem = name_problem(name)) return problem;
   if (text.find("\xef\xbb\xbf") != std::string::npos) return "a byte order mark is in a name";
   if (field.is_quoted || is_whole_number(text)) return std::nullopt;
-  if (is_several_numbers(field)) {
-    return fmt::format("{} is several numbers: a line break may be missing", shown(text));
+  if (is_several_numbers(field, is_headed ? " " : " ,;")) {
+    return fmt::format("{} is several numbers: a line break or a blank may be missing",
+                       shown(text));
   }
   for (const char* missing : {"NA", "N/A", "NaN", "nan", "NULL", "null", "None"}) {
     if (text == missing)
@@ -249,6 +279,9 @@ std::optional<std::string> end_problem(const ListField& field, bool is_headed) {
         "expected a vertex id, found {}: ids are whole numbers, without sign or "
         "zeros in front (in quotes it is a name)",
         shown(text));
+  }
+  if (text.starts_with('{') && text.ends_with('}') && !is_headed) {
+    return fmt::format("{} is attributes, no end of an edge (in quotes it is a name)", shown(text));
   }
   if (!is_headed && !has_whole_brackets(text)) {
     return fmt::format("{} is a piece of a printed list or tuple: an edge is 'u v' or 'u,v'",
@@ -289,6 +322,7 @@ void StatedCounts::read(const TextInput& input, std::string_view comment) {
     }
     if (!word.empty()) words.push_back(std::exchange(word, ""));
     if (c != ',' || words.empty()) continue;
+    is_directed = is_directed || words[0] == "directed";  // SNAP's "Directed graph"
     const bool is_counts = std::ranges::all_of(words, is_whole_number);
     if (is_konect && is_counts) {  // edges, vertices, vertices
       edges = {count_of(words[0]), input.line()};

@@ -59,7 +59,7 @@ struct StatedCounts {
   };
   std::optional<Count> vertices, edges;
   bool is_konect = false;    ///< its ids are from 1
-  bool is_directed = false;  ///< KONECT's "asym"
+  bool is_directed = false;  ///< KONECT's "asym", SNAP's "Directed graph"
 
   /// @throws InputError for a list of KONECT whose two sides are numbered each from 1.
   void read(const TextInput& input, std::string_view comment);

@@ -1,9 +1,11 @@
-// Matrix Market, "matrix coordinate pattern": the adjacency matrix, symmetric, or general if it is
-// symmetric.
-#include <fmt/format.h>
+// Matrix Market, "matrix coordinate": the adjacency matrix, symmetric, or a general pattern that is.
+// Reference: scipy (mmread).
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
+#include <cmath>
+#include <cstdlib>
 
 #include "ar3d/formats/graphs/arc_collector.h"
 #include "ar3d/formats/graphs/edge_collector.h"
@@ -45,18 +47,20 @@ class MatrixMarketParser final : public GraphParser {
     }
     Tokens tokens(input_, *line);
     tokens.word();
-    for (const std::string_view wanted : {"matrix", "coordinate", "pattern"}) {
+    const auto expect = [&](std::initializer_list<std::string_view> wanted) {
       const std::string_view word = tokens.word();
-      if (!iequals(word, wanted)) {
-        tokens.fail(fmt::format("only '{}' is supported here, found {}", wanted, shown(word)));
+      for (const std::string_view name : wanted) {
+        if (iequals(word, name)) return name;
       }
-    }
-    const std::string_view word = tokens.word();
-    const bool is_symmetric = iequals(word, "symmetric");
-    if (!is_symmetric && !iequals(word, "general")) {
-      tokens.fail(
-          fmt::format("only 'symmetric' and 'general' are supported here, found {}", shown(word)));
-    }
+      tokens.fail(fmt::format("only '{}' is read here, found {}", fmt::join(wanted, "' or '"),
+                              shown(word)));
+    };
+    expect({"matrix"});
+    expect({"coordinate"});
+    has_weights_ = expect({"pattern", "real", "integer"}) != "pattern";
+    // Two weights of one edge may differ.
+    const bool is_symmetric =
+        (has_weights_ ? expect({"symmetric"}) : expect({"symmetric", "general"})) == "symmetric";
     tokens.expect_done("the banner");
     return is_symmetric;
   }
@@ -82,13 +86,22 @@ class MatrixMarketParser final : public GraphParser {
     return count;
   }
 
+  static void read_weight(Tokens& tokens) {
+    const std::string word(tokens.word());
+    char* end = nullptr;
+    const double weight = std::strtod(word.c_str(), &end);
+    if (!word.empty() && *end == '\0' && std::isfinite(weight) && weight != 0) return;
+    tokens.fail(fmt::format("expected the weight of an edge, no 0, found {}", shown(word)));
+  }
+
   Graph read_symmetric(std::uint64_t count) {
     entries_.expect_edges(count);
     for (;;) {
-      entries_.read_plain_edges(input_, "", count - entries_.num_edges());
+      if (!has_weights_) entries_.read_plain_edges(input_, "", count - entries_.num_edges());
       if (entries_.num_edges() == count) return entries_.finish();
       Tokens tokens(input_, next_entry(count, entries_.num_edges()));
       entries_.read_edge(tokens);
+      if (has_weights_) read_weight(tokens);
       tokens.expect_done("the entry");
     }
   }
@@ -109,6 +122,7 @@ class MatrixMarketParser final : public GraphParser {
     }
   }
 
+  bool has_weights_ = false;
   EdgeCollector entries_;
   ArcCollector arcs_;
 };
@@ -129,7 +143,7 @@ void append_matrix_market(OutputFile& output, const Graph& graph, unsigned) {
 GraphFormat matrix_market_format() {
   return {.name = "matrixmarket",
           .extensions = {".mtx"},
-          .summary = "Matrix Market: the adjacency matrix as coordinate pattern symmetric",
+          .summary = "Matrix Market: the adjacency matrix as coordinates, weights are read over",
           .detect = [](const InputHead& head) { return is_banner(head.text); },
           .parser = make_parser<MatrixMarketParser>,
           .writer = make_appending<append_matrix_market>};

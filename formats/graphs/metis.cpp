@@ -1,5 +1,5 @@
 // METIS: a line "n m [fmt [ncon]]", then n lines with the neighbours of a vertex each, 1-based;
-// comments begin with %. Weights and sizes are read over.
+// comments begin with %. Weights and sizes are read over. Reference: METIS (gpmetis).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -197,7 +197,8 @@ MetisFit metis_fit(std::string_view text, bool whole, std::uint64_t n, std::uint
 /// @throws InputError, without the file's name, if both fit and the ending says nothing.
 bool looks_like_metis(const InputHead& head) {
   if (head.text.starts_with(kMetisMark)) return true;
-  if (head.is_list) return false;
+  const bool is_konect = head.text.starts_with("% sym") || head.text.starts_with("% asym");
+  if (head.is_list || is_konect) return false;
   std::string_view text = head.text;
   std::optional<std::string_view> line = take_line(text, head.whole);
   while (line && is_blank(*line)) line = take_line(text, head.whole);

@@ -65,47 +65,6 @@ TEST(Graph6, LongSizes) {
   EXPECT_EQ(read_text(":~~???~??\n")[0].num_vertices(), 258048u);  // 36 bits
 }
 
-TEST(Graph6, RefusesWithPlaceAndValue) {
-  expect_refusals(
-      {{"DQc\nDQ\n", "f:2:2: 5 vertices take 2 characters after the size, found 1"},
-       {"DQcc\n", "f:1:2: 5 vertices take 2 characters after the size, found 3"},
-       {"DQ\x80\n", "f:1:3: character '\\x80' is not one of graph6 and sparse6 ('?' to '~')"},
-       {"DQc\nD c\n", "f:2:2: character ' ' is not one of graph6 and sparse6 ('?' to '~')"},
-       {"DQ~\n", "f:1:3: the padding bits are not zero"},
-       {"~?\n", "f:1:3: the line ends too early"},
-       {"&DQc\n",
-        "f:1:1: this is digraph6: only undirected graphs are read (--undirected drops "
-        "directions)"},
-       {">>planar_code<<\n",
-        "f:1:1: unknown header '>>planar_code<<', expected '>>graph6<<' or '>>sparse6<<'"}});
-}
-
-TEST(Graph6, RefusesAbsurdSizesWithoutAllocating) {
-  expect_refusals(
-      {{"~~~~~~~~\n", "f:1:1: 68719476735 vertices are too many, the limit is 4294967294"},
-       {"~~?}????\n",
-        "f:1:1: 1040187392 vertices claimed by a graph of 0 bytes, which accounts for at most "
-        "1048576; --trust-sizes believes it"},
-       {":~~?}????\n",
-        "f:1:1: 1040187392 vertices claimed by a graph of 0 bytes, which accounts for at most "
-        "1048576; --trust-sizes believes it"},
-       {"~~??B????\n",
-        "f:1:9: 786432 vertices take 51539542016 characters after the size, found 1"}});
-}
-
-TEST(Sparse6, RefusesWithPlaceAndValue) {
-  expect_refusals(
-      {{":Fa@x\\\n", "f:1:6: wrong padding behind the last edge"},
-       {":Fa@x^~\n", "f:1:6: wrong padding behind the last edge"},
-       {":Fa@x\n", "f:1:5: wrong padding behind the last edge"},
-       {":Fa@\x7f^\n", "f:1:5: character '\\x7f' is not one of graph6 and sparse6 ('?' to '~')"},
-       {":A~\n", "f:1:3: edge (1, 1) is a loop"},
-       {":Ab\n", "f:1: edge 1 (0, 1) is parallel to an earlier edge"},
-       {":\n", "f:1:2: the line ends too early"},
-       {";\n", "f:1:1: an incremental line without a graph before it"},
-       {":An\n;b\n", "f:2: edge (0, 1) is changed twice"}});
-}
-
 TEST(Graph6, RefusesToWriteGigabytes) {
   EXPECT_THROW(written({Graph(1u << 18, {})}, find_graph_format("graph6")), InputError);
 }

@@ -55,18 +55,6 @@ TEST(GraphReader, RefusesCutAndCorruptPacking) {
   EXPECT_EQ(refused(broken).substr(0, 17), ": corrupt xz data");
 }
 
-TEST(GraphReader, RefusesWhatHoldsNoGraph) {
-  for (const char* text : {"# only\n# comments\n", "\n\n", ">>graph6<<\n"}) {
-    EXPECT_EQ(refusal(text), "f: no graph in it, only comments or blank lines");
-  }
-  EXPECT_EQ(refusal("\x80\x81"),
-            "f:1: this is no graph format known here: '\\x80\\x81'; --from says which "
-            "one is meant");
-  EXPECT_EQ(
-      refusal("hello world\n"),
-      "f:1: this is no graph format known here: 'hello world'; --from says which one is meant");
-}
-
 TEST(GraphReader, FormatCanBeForced) {
   EXPECT_EQ(refusal("0 1\n", {.format = "graph6"}),
             "f:1:1: character '0' is not one of graph6 and sparse6 ('?' to '~')");
