@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "ar3d/base/error.h"
@@ -36,9 +37,12 @@ Ending ending_of(std::uint64_t size) {
   return ending;
 }
 
-// Puts the hash of the first `size` bytes and of the ending before it into the ending. False, with
-// errno, if the bytes cannot be read.
-bool put_hash(int file, std::uint64_t size, Ending& ending) {
+// Where HDF5 says that a program has the file open for writing (superblocks of version 0).
+constexpr std::size_t kOpenFlag = 20;
+
+// Puts the hash of the first `size` bytes, without the flag, and of the ending before it into the
+// ending, and the flag into `is_open`. False, with errno, if the bytes cannot be read.
+bool put_hash(int file, std::uint64_t size, Ending& ending, bool& is_open) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(),
                                                                        XXH3_freeState);
   XXH3_128bits_reset(state.get());
@@ -49,6 +53,7 @@ bool put_hash(int file, std::uint64_t size, Ending& ending) {
       if (errno == 0) errno = EIO;  // what a file that has shrunk is
       return false;
     }
+    if (at == 0 && count > kOpenFlag) is_open = std::exchange(block[kOpenFlag], '\0') != '\0';
     XXH3_128bits_update(state.get(), block.data(), count);
     at += count;
   }
@@ -66,11 +71,12 @@ int append_checksum(int descriptor) {
   if (fstat(descriptor, &status) != 0) return errno;
   const auto size = static_cast<std::uint64_t>(status.st_size);
   Ending ending = ending_of(size);
-  if (!put_hash(descriptor, size, ending)) return errno;
+  bool is_open = false;
+  if (!put_hash(descriptor, size, ending, is_open)) return errno;
   return write_whole(descriptor, ending, size) < ending.size() ? errno : 0;
 }
 
-void require_checksum(int descriptor, const std::string& path) {
+bool has_checksum(int descriptor, const std::string& path) {
   struct stat status {};
   if (fstat(descriptor, &status) != 0) refuse_reading(path, errno);
   const bool has_room = status.st_size >= static_cast<off_t>(kChecksumSize);
@@ -79,14 +85,11 @@ void require_checksum(int descriptor, const std::string& path) {
   Ending found{};
   if (has_room && read_whole(descriptor, found, size) < found.size() && errno != 0)
     refuse_reading(path, errno);
-  if (std::memcmp(found.data(), kMagic, kMagicSize) != 0) {
-    throw InputError(path +
-                     " is not a readable results file: it has no checksum at its end: it was cut "
-                     "short or changed by another program");
-  }
+  if (std::memcmp(found.data(), kMagic, kMagicSize) != 0) return false;
   Ending computed = ending_of(size);
-  if (!put_hash(descriptor, size, computed)) refuse_reading(path, errno);
-  if (found == computed) return;
+  bool is_open = false;
+  if (!put_hash(descriptor, size, computed, is_open)) refuse_reading(path, errno);
+  if (found == computed) return !is_open;
   throw InputError(path + " is damaged: its bytes are not those that its checksum was made of");
 }
 

@@ -12,8 +12,9 @@ inline constexpr std::size_t kChecksumSize = 40;
 /// Appends it to an open file that is otherwise complete. @return 0, or the errno of what failed.
 int append_checksum(int descriptor);
 
-/// Reads the whole file. @throws InputError naming `path` if it cannot be read, has no checksum or
-/// a wrong one.
-void require_checksum(int descriptor, const std::string& path);
+/// Reads the whole file. @return true if its checksum is right; false if another program has opened it
+/// for writing, which cuts the checksum off, or has it open. @throws InputError naming `path` if it
+/// cannot be read or its checksum is a wrong one.
+bool has_checksum(int descriptor, const std::string& path);
 
 }  // namespace ar3d

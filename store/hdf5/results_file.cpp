@@ -2,7 +2,7 @@
 //
 // A results file is an HDF5 file and, behind its end, 40 bytes that HDF5 does not look at:
 //
-//   attributes of /   format = ar3d-results, format_version = 3, and the study's identity
+//   attributes of /   format = ar3d-results, format_version = 3, the study's identity, rows_hash
 //   /spec             the specification, byte by byte; its hash is an attribute
 //   /environments     session, name, value
 //   /algorithms, …    side tables, those that the study has
@@ -20,12 +20,14 @@
 //
 // READING. HDF5 sees no damaged file: the checksum is verified before. Since a checksum can be
 // forged and HDF5 crashes on some files, it sees none in this process either: a child opens the
-// file and answers with records, 512 at once. Links, foreign filters, huge chunks and more records
+// file and answers with records, 512 at once. HDF5 cuts the checksum off where it opens a file for
+// writing; then all that is read has to have the hash in rows_hash. Links, foreign filters, huge chunks and more records
 // than the bytes can hold are refused there before anything is allocated (hdf5_table.cpp).
 #include "ar3d/store/hdf5/results_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <xxhash.h>
 
@@ -38,6 +40,7 @@
 #include <optional>
 #include <unordered_set>
 
+#include "ar3d/base/hash_stream.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/hdf5/file_checksum.h"
 #include "ar3d/store/hdf5/hdf5_table.h"
@@ -91,9 +94,24 @@ TableSpec instances_spec() {
   return spec;
 }
 
+void put(HashStream& hash, const char* bytes, std::size_t size) {
+  hash.put(std::uint64_t{XXH3_64bits(bytes, size)});
+}
+
+// What a file says of its study, on two lines.
+std::string description_of(const StudyIdentity& identity,
+                           const std::vector<EnvironmentEntry>& environment) {
+  Json entries = Json::array();
+  for (const EnvironmentEntry& entry : environment) {
+    entries.push_back({entry.name, entry.value, entry.session});
+  }
+  return fmt::format("{}\n{}", identity_text(identity),
+                     entries.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
 // The table of rows and, of every graph once, their columns that describe it.
 void write_rows(hid_t file, std::size_t count,
-                const std::function<void(std::size_t i, char* record)>& read) {
+                const std::function<void(std::size_t i, char* record)>& read, HashStream& hash) {
   TableWriter instances(file, instances_spec());
   TableWriter runs(file, runs_spec());
   const std::vector<Column> columns = columns_of_kind(ColumnKind::instance);
@@ -102,6 +120,7 @@ void write_rows(hid_t file, std::size_t count,
   std::unordered_set<RowKey> seen;
   for (std::size_t i = 0; i < count; ++i) {
     read(i, row.data());
+    put(hash, row.data(), row.size());
     instance.clear();
     key.clear();
     for (const Column& column : columns) {
@@ -110,8 +129,8 @@ void write_rows(hid_t file, std::size_t count,
                              column.name == "requested_n" || column.name == "instance_index";
       if (is_of_key) key.append(row.data() + column.offset, column.size);
     }
-    const XXH128_hash_t hash = XXH3_128bits(key.data(), key.size());
-    if (seen.insert({hash.high64, hash.low64}).second) instances.append(instance.data());
+    const XXH128_hash_t of_key = XXH3_128bits(key.data(), key.size());
+    if (seen.insert({of_key.high64, of_key.low64}).second) instances.append(instance.data());
     runs.append(row.data());
   }
   instances.finish();
@@ -205,8 +224,8 @@ auto explained(const std::string& beginning, const Step& step) {
   }
 }
 
-// Opens the file for the process that only reads it. @return three lines: number of rows,
-// identity, environment.
+// Opens the file for the process that only reads it. @return three lines: number of rows and their
+// hash, identity, environment.
 std::string opened(const std::string& path, int descriptor, std::optional<TableReader>& rows) {
   H5PLset_loading_state(0);  // no filter that a file names is loaded
   std::string name = fmt::format("/proc/self/fd/{}", descriptor);
@@ -220,13 +239,11 @@ std::string opened(const std::string& path, int descriptor, std::optional<TableR
       identity.tables.push_back(read_table(file.get(), spec, bytes));
     }
   }
-  Json environment = Json::array();
-  for (const EnvironmentEntry& entry : read_environment(file.get(), bytes)) {
-    environment.push_back({entry.name, entry.value, entry.session});
-  }
+  const std::vector<EnvironmentEntry> environment = read_environment(file.get(), bytes);
   rows.emplace(file.get(), runs_spec(), bytes);
-  return fmt::format("{}\n{}\n{}", rows->size(), identity_text(identity),
-                     environment.dump(-1, ' ', false, Json::error_handler_t::replace));
+  const bool has_hash = H5Aexists(file.get(), "rows_hash") > 0;
+  const Json head = {rows->size(), has_hash ? read_text_attribute(file.get(), "rows_hash") : ""};
+  return fmt::format("{}\n{}", head.dump(), description_of(identity, environment));
 }
 
 std::string block_of(TableReader& rows, std::uint64_t block) {
@@ -238,13 +255,24 @@ std::string block_of(TableReader& rows, std::uint64_t block) {
   return answer;
 }
 
-// A process that reads a file once its checksum is right.
-ReaderProcess process_for(const std::string& path) {
+constexpr const char* kCutOff =
+    "it has no checksum at its end: it was cut short, or opened for writing by another program "
+    "(pandas.HDFStore, h5py's modes r+ and a)";
+
+// A process that reads a file. @param is_checked  becomes true if its checksum is right.
+ReaderProcess process_for(const std::string& path, bool& is_checked) {
   const Descriptor descriptor = open_hdf5_file(path);
-  require_checksum(descriptor.get(), path);
+  is_checked = has_checksum(descriptor.get(), path);
+  if (flock(descriptor.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    throw InputError(fmt::format(
+        "{} is open for writing in another program: close it there, then it is read", path));
+  }
+  flock(descriptor.get(), LOCK_UN);
   std::optional<TableReader> rows;  // in the process; keeps the HDF5 file open
+  const std::string beginning = fmt::format("{} is not a readable results file{}{}", path,
+                                            is_checked ? "" : ": ", is_checked ? "" : kCutOff);
   const auto answer = [&](std::uint64_t question) {
-    return explained(path + " is not a readable results file", [&] {
+    return explained(beginning, [&] {
       return question == kDescription ? opened(path, descriptor.get(), rows)
                                       : block_of(rows.value(), question - 1);
     });
@@ -264,7 +292,12 @@ void write_results(const StudyIdentity& identity, const std::vector<EnvironmentE
       write_spec(output, identity.spec);
       write_table(output, environments_table(environment));
       for (const StoredTable& table : identity.tables) write_table(output, table);
-      write_rows(output, rows, read);
+      HashStream hash;
+      const std::string description =
+          description_of(identity, environment_of(environments_table(environment)));
+      put(hash, description.data(), description.size());
+      write_rows(output, rows, read, hash);
+      write_attribute(output, "rows_hash", hash.digest());
     });
   });
   if (error == 0) error = append_checksum(file.descriptor());
@@ -272,11 +305,15 @@ void write_results(const StudyIdentity& identity, const std::vector<EnvironmentE
   file.become_target();
 }
 
-RunReader::RunReader(const std::string& path) : path_(path), process_(process_for(path)) {
-  const std::string& answer = process_.ask(kDescription);
+RunReader::RunReader(const std::string& path)
+    : path_(path), process_(process_for(path, is_checked_)) {
+  const std::string answer = process_.ask(kDescription);
+  std::string hash;
   const std::size_t first = answer.find('\n'), second = answer.find('\n', first + 1);
   try {
-    Json::parse(answer.substr(0, first)).get_to(size_);
+    const Json head = Json::parse(answer.substr(0, first));
+    head.at(0).get_to(size_);
+    head.at(1).get_to(hash);
     identity_ = parse_identity(answer.substr(first + 1, second - first - 1), path);
     for (const Json& entry : Json::parse(answer.substr(second + 1))) {
       environment_.push_back({entry.at(0), entry.at(1), entry.at(2)});
@@ -287,6 +324,24 @@ RunReader::RunReader(const std::string& path) : path_(path), process_(process_fo
   if (size_ / kMostRecordsPerByte > std::filesystem::file_size(path)) {
     throw InputError(fmt::format("{} is damaged: it cannot hold {} rows", path, size_));
   }
+  if (is_checked_) return;
+  if (hash.empty() || hash != rows_hash(std::string_view(answer).substr(first + 1))) {
+    throw InputError(fmt::format("{} is not a readable results file: {}, and {}", path, kCutOff,
+                                 hash.empty() ? "it has no rows_hash, as those of earlier programs"
+                                              : "its rows are not those of its rows_hash"));
+  }
+  note_on_results(
+      fmt::format("{} was opened for writing by another program, which cut its checksum off; its "
+                  "rows are those "
+                  "that it was written with, by their hash",
+                  path));
+}
+
+std::string RunReader::rows_hash(std::string_view description) {
+  HashStream hash;
+  put(hash, description.data(), description.size());
+  for (std::size_t i = 0; i < size_; ++i) put(hash, record(i), run_record_size());
+  return hash.digest();
 }
 
 std::vector<std::vector<EnvironmentEntry>> RunReader::sessions() const {

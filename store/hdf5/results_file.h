@@ -11,14 +11,17 @@
 
 namespace ar3d {
 
+/// Takes a note on each file that is read though another program has opened it for writing.
+inline std::function<void(const std::string& note)> note_on_results = [](const std::string&) {};
+
 /// Represents a results file, read record by record. Memory: a few hundred rows, however many there are.
 /// The file's checksum is verified before HDF5 sees the file, and HDF5 sees it in a process of
-/// its own, so that nothing that another program has written can crash or hang this one. The page
-/// results/SCHEMA.md describes the file.
+/// its own, so that nothing that another program has written can crash or hang this one. Without the
+/// checksum all rows are read and compared with their hash. The page results/SCHEMA.md describes the file.
 class RunReader {
  public:
-  /// @throws InputError naming the file and what is wrong with it: missing, not HDF5, damaged,
-  /// changed by another program, another version, no /runs, a required column missing, …; or one
+  /// @throws InputError naming the file and what is wrong with it: missing, not HDF5, damaged, held
+  /// open or changed by another program, another version, no /runs, a required column missing, …; or one
   /// that crashes HDF5.
   explicit RunReader(const std::string& path);
 
@@ -37,7 +40,10 @@ class RunReader {
   RowKey key(std::size_t i);
 
  private:
+  std::string rows_hash(std::string_view description);
+
   std::string path_;
+  bool is_checked_ = false;  // by the checksum of the bytes; before the process
   ReaderProcess process_;
   StudyIdentity identity_;
   std::vector<EnvironmentEntry> environment_;

@@ -1,3 +1,5 @@
+#include "ar3d/store/hdf5/results_file.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -176,11 +178,55 @@ TEST_F(ResultsFile, RefusesFilesThatReachForOthers) {
                  "/runs has chunks of more than"}});
 }
 
-TEST_F(ResultsFile, RefusesFilesThatAnotherProgramHasChanged) {
+TEST_F(ResultsFile, IsReadByItsRowsWhereAnotherProgramHasOpenedIt) {
+  std::vector<std::string> notes;
+  note_on_results = [&](const std::string& note) { notes.push_back(note); };
+  const Results written = sample_results(600);
+  for (const char* opening :
+       {"", "f.close(); s = pandas.HDFStore(path)", "f.create_dataset('mine', data=[1, 2])",
+        "f.close(); s = pandas.HDFStore(path); s['mine'] = pandas.DataFrame({'a': [1]}); "
+        "s.close()"}) {
+    write_results(written, path_);
+    change_with_h5py(path_, std::string("import pandas; path = '") + path_ + "'; " + opening);
+    const Results read = read_results(path_);
+    ASSERT_EQ(read.runs.size(), 600u) << opening;
+    for (std::size_t i = 0; i < 600; ++i)
+      EXPECT_EQ(all_bytes(read.runs[i]), all_bytes(written.runs[i]));
+    EXPECT_EQ(notes,
+              std::vector{path_ + " was opened for writing by another program, which cut its "
+                                  "checksum off; its rows are those that it was written "
+                                  "with, by their hash"});
+    notes.clear();
+  }
+  for (const char* change :
+       {"f.attrs['study_id'] = numpy.bytes_('mine')",
+        "r = f['runs'][:]; r['n'][1] += 1; f['runs'][:] = r",
+        "r = f['environments'][:]; r['value'][0] = b'x'; f['environments'][:] = r"}) {
+    write_results(written, path_);
+    change_with_h5py(path_, change);
+    EXPECT_THAT(read_error(path_), HasSubstr("and its rows are not those of its rows_hash"));
+  }
+  write_results(written, path_);
+  change_with_h5py(path_, "del f.attrs['rows_hash']");
+  EXPECT_THAT(read_error(path_), HasSubstr("or opened for writing by another program "
+                                           "(pandas.HDFStore, h5py's modes r+ and a), and it has "
+                                           "no rows_hash, as those of earlier programs"));
+  EXPECT_THAT(notes, IsEmpty());
+  note_on_results = [](const std::string&) {};
+}
+
+TEST_F(ResultsFile, IsNotDamagedWhileAnotherProgramHasItOpen) {
   write_results(sample_results(3), path_);
-  change_with_h5py(path_, "f.attrs['study_id'] = 'mine'");
-  EXPECT_THAT(read_error(path_),
-              AnyOf(HasSubstr("has no checksum at its end"), HasSubstr("is damaged")));
+  const std::string script = "import h5py, sys; f = h5py.File('" + path_ + "', 'r+'); open('" +
+                             in_folder("ready") + "', 'w').close(); sys.stdin.read()";
+  FILE* const holder = popen(("/usr/bin/python3 -c \"" + script + "\"").c_str(), "w");
+  while (!fs::exists(in_folder("ready"))) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(read_error(path_),
+            path_ + " is open for writing in another program: close it there, then it is read");
+  EXPECT_EQ(pclose(holder), 0);
+  EXPECT_EQ(read_error(path_), "no error");
 }
 
 // A sample of the flips; tests/store/bit_flips_long_test.cpp makes them all.
