@@ -15,6 +15,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -23,8 +24,10 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/generators/catalog.h"
+#include "ar3d/store/hdf5/results_file.h"
 #include "commands.h"
 #include "options.h"
 #include "view.h"
@@ -250,6 +253,11 @@ int ar3d::run_program(int argc, char** argv) {
   begin_process();
   try {
     check_openmp();
+    ar3d::respect_quota();
+    ar3d::note_on_results = [](const std::string& text) {
+      static std::set<std::string> told;
+      if (told.insert(text).second) ar3d::tell_notes({text});
+    };
     return with_output_flushed(run(argc, argv));
   } catch (const ar3d::InputError& error) {
     ar3d::say(stderr, "ar3d: {}\n", ar3d::printable(error.what()));

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fstream>
@@ -254,6 +256,27 @@ double Child::cpu_s() const {
     return std::numeric_limits<double>::quiet_NaN();
   }
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+std::uint32_t quota_threads(const std::string& group, const std::string& root) {
+  std::ifstream groups(group);
+  std::string path;  // of the own group in the hierarchy of version 2: "0::/path"
+  for (std::string line; std::getline(groups, line);) {
+    if (line.starts_with("0::/")) path = line.substr(3);
+  }
+  double least = UINT32_MAX;
+  for (;; path.resize(path.rfind('/'))) {
+    std::ifstream file(root + path + "/cpu.max");
+    double quota = 0, period = 0;  // "max" is no number
+    if (file >> quota >> period && period > 0) least = std::min(least, quota / period);
+    if (path.empty()) return static_cast<std::uint32_t>(std::max(1.0, std::ceil(least)));
+  }
+}
+
+void respect_quota() {
+  if (std::getenv("OMP_NUM_THREADS") != nullptr) return;
+  const auto most = static_cast<std::uint32_t>(omp_get_max_threads());
+  omp_set_num_threads(static_cast<int>(std::min(most, quota_threads())));
 }
 
 }  // namespace ar3d

@@ -91,4 +91,11 @@ class Child {
 /// is no descriptor left.
 std::pair<Descriptor, Descriptor> new_pipe();
 
+/// Returns how many threads a quota of CPU time keeps busy (cpu.max of a container's control group, or
+/// of one around it), rounded up; 2^32 - 1 if there is none.
+std::uint32_t quota_threads(const std::string& group = "/proc/self/cgroup",
+                            const std::string& root = "/sys/fs/cgroup");
+/// Makes quota_threads() the most of OpenMP's threads, unless OMP_NUM_THREADS says how many.
+void respect_quota();
+
 }  // namespace ar3d

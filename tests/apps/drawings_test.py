@@ -1,8 +1,11 @@
 """Drawings on their way through the program: pages, formats of other programs, several files, levels, real types, threads."""
+import html
 import json
 import os
 import resource
 import xml.etree.ElementTree
+
+import h5py
 
 from program import IS_SANITISED, Program, main, read, run, write
 
@@ -110,6 +113,19 @@ class SeveralFiles(Program):
         self.refused(draw + "a.edges none.g6", "cannot read none.g6")
         self.refused(draw + "a.edges c.g6 -o c.g6 --format jsonl", "c.g6")
         self.expect("ar3d hunt --algorithm grid --graphs c.g6 --graphs a.edges --evaluations 20", out="comes from 2 files (")
+
+    def test_what_is_assumed_of_a_file_is_said_on_the_terminal_in_the_results_and_on_the_page(self):
+        for text, note in (("source,target\n0,1\n1,2\n", "lists.csv:1: 'source target' is a heading, no edge"),
+                           ("0,1\n1,3\n", "lists.csv: 1 of 4 vertices are in no line"),
+                           ("1,2\n2,3\n", "lists.csv: ids are from 1 to 3"),
+                           ("0,1000000\n", "lists.csv: ids up to 1000000 are names: as numbers they would leave most vertices without an edge")):
+            write("lists.csv", text)
+            self.expect("ar3d draw lists.csv --algorithm grid -o /dev/null", err="ar3d: note: " + note)
+            self.expect("ar3d study run --force --graphs lists.csv --algorithm grid -o lists.h5", err=note)
+            self.assertIn(note, html.unescape(read("lists.html")))
+            with h5py.File("lists.h5", "r") as file:
+                values = {row["name"]: row["value"] for row in file["environments"][:]}
+            self.assertTrue(values[b"reading_notes"].decode().endswith(note), values)
 
     def test_names_travel_to_drawings_pages_and_exports(self):
         write("one.edges", "# Nodes: 3 Edges: 2\n1 2\n2 3\n")
