@@ -15,10 +15,12 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/apps/view.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/drawings/embedding.h"
+#include "ar3d/formats/graphs/list_rows.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/certificate.h"
 
@@ -148,11 +150,15 @@ std::string line_of(const PythonDrawing& drawing) {
 }
 
 /// The only graph of a text in any format.
-Graph graph_in(const std::string& text) {
-  GraphReader reader(TextInput("the text", bytes_of(text + "\n")), {});
+/// The only graph of a reader with its vertices' names; what is assumed becomes a warning.
+std::pair<Graph, std::vector<std::string>> only_graph(GraphReader reader, const std::string& what) {
   std::optional<Graph> graph = reader.next();
-  if (reader.next()) throw InputError("the text holds several graphs; one is wanted");
-  return std::move(*graph);
+  std::vector<std::string> names = reader.names();
+  if (reader.next()) throw InputError(what + " holds several graphs; one is wanted");
+  for (const std::string& note : reader.take_notes()) {
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 2) != 0) throw py::error_already_set();
+  }
+  return {std::move(*graph), std::move(names)};
 }
 
 /// One of the drawing's lists, shared with it.
@@ -316,6 +322,7 @@ std::vector<std::string> names_in(const Rows& rows) {
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of ar3d.";
   register_program_formats();
+  respect_quota();
   module.attr("__version__") = AR3D_VERSION;
   add_graph(module);
   add_drawing(module);
@@ -323,7 +330,17 @@ PYBIND11_MODULE(_core, module) {
   module.def("draw", &draw_graph, py::arg("graph"), py::arg("algorithm"), py::arg("options"),
              py::arg("names"));
   module.def("load", [](const std::string& path) { return drawings_in(TextInput(path)); });
-  module.def("graph_in", &graph_in, py::arg("text"));
+  module.def("graph_in", [](const std::string& text, const std::string& what) {
+    return only_graph(GraphReader(TextInput(what, bytes_of(text + "\n"))), what);
+  });
+  module.def("graph_of_file",
+             [](const std::string& path) { return only_graph(GraphReader(path), path); });
+  module.def("ends_of_heading", [](const std::vector<std::string>& columns) {
+    ListRow row;
+    for (const std::string& column : columns) row.push_back({column});
+    const std::optional<EndColumns> ends = ends_of_heading(row);
+    return ends ? std::vector{ends->source, ends->target} : std::vector<std::size_t>();
+  });
   module.def("certify", &certify_drawing, py::arg("graph"), py::arg("drawing"),
              py::arg("algorithm"));
   module.def("generate", &generate_graph, py::arg("family"), py::arg("n"), py::arg("seed"),

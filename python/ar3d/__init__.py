@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import operator
 import os
+import warnings
 from typing import Any, Union
 
 import numpy
@@ -37,27 +38,38 @@ def as_graph(graph: GraphLike, num_vertices: int | None = None) -> Graph:
     """The graph of whatever holds one.
 
     graph: an ar3d.Graph; a networkx or igraph graph (its nodes, in their order, are the vertices 0 … n - 1); a text
-        with one graph in any format of the program, such as graph6; a scipy sparse matrix (n x n; entry (u, v) that is not 0, or (v, u), or both, is the edge uv); an array or list of shape
+        with one graph in any format of the program, such as graph6, or the pathlib.Path of a file; a pandas DataFrame with
+        columns such as source and target, read as a table of edges; a scipy sparse matrix (n x n; entry (u, v) that is not 0, or (v, u), or both, is the edge uv); an array or list of shape
         (m, 2) of vertices, in any order.
     num_vertices: of an array of edges; left out, the largest vertex and one more.
-    Raises ValueError for loops, parallel edges, directed graphs, and vertices that there are not. Cost: O(n + m).
+    Raises ValueError for loops, parallel edges, directed graphs, and vertices that there are not; warns of what is assumed, such as
+    ids from 1. Cost: O(n + m).
     """
+    return _graph_and_names(graph, num_vertices)[0]
+
+
+def _graph_and_names(graph: GraphLike, num_vertices: int | None = None) -> tuple[Graph, list[str]]:
     if num_vertices is not None:
         num_vertices = _integer(num_vertices, "num_vertices")
-        if isinstance(graph, (Graph, str)) or any(hasattr(graph, own) for own in ("adj", "tocoo", "get_edgelist")):
+        if isinstance(graph, (Graph, str, os.PathLike)) or any(hasattr(graph, own) for own in ("adj", "tocoo", "get_edgelist", "iloc")):
             raise ValueError("num_vertices is of an array of edges; this graph has its own")
     if isinstance(graph, Graph):
-        return graph
+        return graph, []
     if hasattr(graph, "adj") and hasattr(graph, "nodes"):
-        return _from_networkx(graph)
+        return _from_networkx(graph), _encodable(map(str, graph.nodes))
     if hasattr(graph, "get_edgelist") and hasattr(graph, "vcount"):
         if graph.is_directed():
             raise ValueError("the igraph graph is directed; graph.as_undirected() is not")
-        return Graph(graph.vcount(), numpy.array(graph.get_edgelist(), dtype=numpy.int64).reshape(-1, 2))
+        names = _encodable(map(str, graph.vs["name"])) if "name" in graph.vs.attributes() else []
+        return Graph(graph.vcount(), numpy.array(graph.get_edgelist(), dtype=numpy.int64).reshape(-1, 2)), names
     if isinstance(graph, str):
-        return _core.graph_in(graph)
+        return _core.graph_in(*_encodable([graph]), "the text")
+    if isinstance(graph, os.PathLike):
+        return _core.graph_of_file(os.fspath(graph))
+    if hasattr(graph, "columns") and hasattr(graph, "to_csv"):
+        return _from_frame(graph)
     if hasattr(graph, "tocoo"):
-        return _from_sparse(graph)
+        return _from_sparse(graph), []
     edges = numpy.asarray(graph)
     if edges.size == 0:
         edges = numpy.zeros((0, 2), dtype=numpy.int64)
@@ -69,7 +81,7 @@ def as_graph(graph: GraphLike, num_vertices: int | None = None) -> Graph:
         num_vertices = int(edges.max()) + 1 if len(edges) else 0
     if not 0 <= num_vertices < 2**32 - 1:
         raise ValueError(f"{num_vertices} vertices: there can be 0 to 2^32 - 2")
-    return Graph(num_vertices, edges.astype(numpy.int64, copy=False))
+    return Graph(num_vertices, edges.astype(numpy.int64, copy=False)), []
 
 
 def _integer(value: Any, name: str) -> int:
@@ -104,19 +116,38 @@ def _from_networkx(graph: Any) -> Graph:
 def _from_sparse(matrix: Any) -> Graph:
     if matrix.shape[0] != matrix.shape[1]:
         raise ValueError(f"the matrix is not square: {matrix.shape}")
-    entries = matrix.tocoo()
-    kept = entries.data != 0
-    u, v = entries.row[kept].astype(numpy.int64), entries.col[kept].astype(numpy.int64)
+    entries = matrix.tocoo(copy=True)
+    if numpy.isnan(entries.data).any():
+        raise ValueError("the matrix has an entry that is nan: 0 is no edge, another number is one")
+    entries.eliminate_zeros()
+    entries.sum_duplicates()
+    if not entries.data.all():
+        raise ValueError("entries of the matrix at one place cancel: without them it is no edge, with one of them it is")
+    u, v = entries.row.astype(numpy.int64), entries.col.astype(numpy.int64)
     edges = numpy.stack([numpy.minimum(u, v), numpy.maximum(u, v)], axis=1)
     return Graph(matrix.shape[0], numpy.unique(edges, axis=0) if len(edges) else edges)
 
 
-def _names_of(graph: Any) -> list[str]:
-    if hasattr(graph, "adj") and hasattr(graph, "nodes"):
-        return [str(node) for node in graph.nodes]
-    if hasattr(graph, "vs") and "name" in graph.vs.attributes():
-        return [str(name) for name in graph.vs["name"]]
-    return []
+def _from_frame(frame: Any) -> tuple[Graph, list[str]]:
+    """By the program's reader of tables, so that ids and names mean what they mean in a file."""
+    ends = _core.ends_of_heading([str(column) for column in frame.columns])
+    if not ends:
+        raise ValueError(f"the ends of edges are columns such as source and target, or from and to; these are {list(map(str, frame.columns))}")
+    table = frame.iloc[:, ends].set_axis(["source", "target"], axis=1)
+    (text,) = _encodable([table.to_csv(index=False, quoting=2)])  # texts in quotes
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "the DataFrame:1: .* is a heading")
+        return _core.graph_in(text, "the DataFrame")
+
+
+def _encodable(texts: Any) -> list[str]:
+    texts = list(texts)
+    for text in texts:
+        try:
+            text.encode()
+        except UnicodeEncodeError as error:
+            raise ValueError(f"{text[error.start:error.end]!r} is no UTF-8, in {text[:40]!r}") from None
+    return texts
 
 
 def draw(graph: GraphLike, algorithm: str | None = None, **options: int) -> Drawing:
@@ -129,10 +160,10 @@ def draw(graph: GraphLike, algorithm: str | None = None, **options: int) -> Draw
     gram_denominator; `names` are those of a networkx or igraph graph's nodes; `in_space` turns integer points into points where angles are true; `save` writes a file.
     Raises ValueError for an unknown name and for a vertex whose degree the algorithm does not draw.
     """
-    given = as_graph(graph)
+    given, names = _graph_and_names(graph)
     if algorithm is None:
         algorithm = "grid" if given.max_degree <= 3 else "diamond"
-    return _core.draw(given, _name(algorithm, "algorithm"), _settings(options), _names_of(graph))
+    return _core.draw(given, _name(algorithm, "algorithm"), _settings(options), names)
 
 
 def load(path: Any) -> list[Drawing]:
@@ -177,8 +208,6 @@ def generate(family: str, n: int, seed: int = 0, **parameters: int) -> Graph:
         raise ValueError("n is from 0 to 2^32 - 2, the seed from 0 to 2^64 - 1")
     graph = _core.generate(_name(family, "family"), n, seed, _settings(parameters))
     if graph.num_vertices != n:
-        import warnings
-
         warnings.warn(f"{family} has no graph with {n} vertices: this has {graph.num_vertices}", stacklevel=2)
     return graph
 

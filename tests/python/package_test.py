@@ -10,6 +10,7 @@ import unittest
 
 import networkx
 import numpy
+import pandas
 import scipy.sparse
 
 import ar3d
@@ -80,6 +81,18 @@ class Draw(unittest.TestCase):
             ar3d.as_graph(igraph.Graph([(0, 1)], directed=True))
         with self.assertWarnsRegex(UserWarning, "no graph with 7 vertices: this has 6"):
             ar3d.generate("random-cubic", 7)
+
+    def test_takes_a_data_frame_and_a_file(self):
+        frame = pandas.DataFrame({"weight": [1.5, 2], "Target": ["a, b", "c"], "Source": ["c", "d"]})
+        self.assertEqual(ar3d.draw(frame).names, ["c", "a, b", "d"])
+        self.assertEqual(ar3d.as_graph(frame).edges.tolist(), [[0, 1], [0, 2]])
+        with self.assertWarnsRegex(UserWarning, "^the DataFrame: ids are from 1 to 3$"):
+            self.assertEqual(ar3d.as_graph(pandas.DataFrame({"u": [1, 2], "v": [2, 3]})).num_vertices, 3)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "names.csv")
+            path.write_text("source,target\na,b\nb,c\n")
+            with self.assertWarnsRegex(UserWarning, "names.csv:1: 'source target' is a heading, no edge"):
+                self.assertEqual(ar3d.draw(path).names, ["a", "b", "c"])
 
     def test_runs_a_study(self):
         os.environ["AR3D"] = str(pathlib.Path(sys.argv[1]).resolve())
@@ -196,6 +209,15 @@ class BadInput(unittest.TestCase):
             (lambda: ar3d.generate(3, 5), "family is a name, not 3"),
             (lambda: ar3d.as_graph(ar3d.generate("cycle", 5), 7), "its own"),
             (lambda: ar3d.as_graph([(0, 1)], 2.5), "num_vertices is an integer, not 2.5"),
+            (lambda: ar3d.draw(networkx.Graph([("a\udcff", "b")])), r"'\udcff' is no UTF-8, in "),
+            (lambda: ar3d.as_graph("a\udcff,b\n"), r"'\udcff' is no UTF-8, in "),
+            (lambda: ar3d.as_graph(pandas.DataFrame({"source": ["a\udcff"], "target": ["b"]})), r"'\udcff' is no UTF-8, in "),
+            (lambda: ar3d.as_graph(pandas.DataFrame({"name": ["a"], "age": [7]})), "columns such as source and target, or from and to; these are ['name', 'age']"),
+            (lambda: ar3d.as_graph(pandas.DataFrame({"source": ["a", None], "target": ["b", "c"]})), "the DataFrame:3:1: an end of an edge is missing"),
+            (lambda: ar3d.as_graph(pandas.DataFrame({"source": [0.0, 1.5], "target": [1, 2]})), "the DataFrame:2:1: expected a vertex id, found '0.0'"),
+            (lambda: ar3d.as_graph(pathlib.Path("/no/such.g6")), "/no/such.g6: No such file or directory"),
+            (lambda: ar3d.as_graph(scipy.sparse.coo_matrix(([1, numpy.nan], ([0, 1], [1, 0])))), "an entry that is nan"),
+            (lambda: ar3d.as_graph(scipy.sparse.coo_matrix(([1, -1], ([0, 0], [1, 1])), (2, 2))), "at one place cancel"),
         ]
         for call, word in cases:
             with self.assertRaises(ValueError) as caught:
