@@ -112,7 +112,7 @@ std::vector<Vertex> all_vertices(const Graph& graph) {
 
 std::uint64_t bisection_at_least(const Graph& graph, std::uint32_t most_visits) {
   const auto always = [](const RoutedBisection&) { return true; };
-  return route_bisection(graph, all_vertices(graph), most_visits, always).at_least;
+  return route_bisection(graph, all_vertices(graph), most_visits, always).back().at_least;
 }
 
 TEST(VolumeBound, BisectionsAreAtLeastWhatRoutingSays) {
@@ -128,8 +128,8 @@ TEST(VolumeBound, BisectionsAreAtLeastWhatRoutingSays) {
     }
   }
   EXPECT_GT(4 * tight, graphs);
-  const Graph ring = cycle(2000);
-  EXPECT_EQ(bisection_at_least(ring, 1 << 24), 2u);
+  EXPECT_EQ(bisection_at_least(cycle(500), 1 << 24), 2u);
+  EXPECT_EQ(bisection_at_least(cycle(2000), 1 << 24), 0u) << "its vertices are too far apart";
 }
 
 // Of random 4-regular graphs at least n/16; the second eigenvalue proves n/7.5 and Bollobas 1988
@@ -151,28 +151,31 @@ TEST(VolumeBound, ExpandersHaveLargeBisections) {
   EXPECT_GT(volume_at_least(needs, compact), volume_at_least(expander, compact));
 }
 
-// What is left out would not change the volume, and the order of the guarantees changes nothing.
+// What is left out would change the volume by 2 % at most, and the order of the guarantees changes
+// nothing.
 TEST(VolumeBound, IsAsIfTheBisectionWereAlwaysLookedFor) {
-  const auto always = [](const RoutedBisection&) { return true; };
   std::size_t gains = 0, spared = 0;
   for (const Family& family : families()) {
     const Graph graph = generate(family, 700, 1);
     GraphNeeds full = needs_of(graph);
     if (full.part_vertices != graph.num_vertices() || graph.num_vertices() < 512) continue;
-    full.bisection = route_bisection(graph, all_vertices(graph), 1 << 25, always).at_least;
-    GraphNeeds forwards = needs_of(graph), backwards = forwards;
     const Guarantee& body = find_algorithm("compact").guarantee;
     const Guarantee& face = find_algorithm("compact-120").guarantee;
+    if (graph.max_degree() > body.max_degree) continue;
+    full.bisection = bisection_at_least(graph, 1 << 25);
+    GraphNeeds forwards = needs_of(graph), backwards = forwards;
     const auto volume = [&](const Guarantee& guarantee, GraphNeeds& needs) {
       seek_bisection(graph, guarantee, needs);
-      return volume_at_least(needs, guarantee);
+      const std::int64_t found = volume_at_least(needs, guarantee);
+      EXPECT_LE(found, volume_at_least(full, guarantee)) << family.name;
+      EXPECT_GE(50 * found, 49 * volume_at_least(full, guarantee)) << family.name;
+      return found;
     };
-    EXPECT_EQ(volume(body, forwards), volume_at_least(full, body)) << family.name;
-    EXPECT_EQ(volume(face, forwards), volume_at_least(full, face)) << family.name;
-    EXPECT_EQ(volume(face, backwards), volume_at_least(full, face)) << family.name;
-    EXPECT_EQ(volume(body, backwards), volume_at_least(full, body)) << family.name;
-    gains += volume_at_least(full, body) > volume_at_least(needs_of(graph), body);
-    spared += forwards.reachable_bisection > forwards.bisection;
+    const std::int64_t body_first = volume(body, forwards), face_last = volume(face, forwards);
+    EXPECT_EQ(volume(face, backwards), face_last) << family.name;
+    EXPECT_EQ(volume(body, backwards), body_first) << family.name;
+    gains += body_first > volume_at_least(needs_of(graph), body);
+    spared += forwards.bisections.back().reachable > forwards.bisections.back().at_least;
   }
   EXPECT_GT(gains, 5u);
   EXPECT_GT(spared, 5u);

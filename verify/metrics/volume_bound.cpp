@@ -4,93 +4,155 @@
 #include "ar3d/verify/metrics/volume_bound.h"
 
 #include <algorithm>
+#include <bit>
+#include <numeric>
 
 namespace ar3d {
 namespace {
 
 constexpr std::uint64_t kSmallestCut = 512;   // below, points gave more
 constexpr std::uint64_t kLargestCut = 16384;  // above, few sources could be afforded
-constexpr std::uint32_t kMostVisits = 40000000;
-constexpr std::uint64_t kFirstSources = 16;
+constexpr std::uint32_t kMostVisits = 32000000;
 
 std::uint64_t rounded_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
-/// The units that one source after the other sends to all vertices. Half of the edges that are
-/// looked at lead to a vertex that was seen, so nothing here asks by a branch.
+/// The units that sources send to all vertices, 64 sources at a time: a word has a bit, and a vertex
+/// a lane, for each of them.
 class Routing {
  public:
+  static constexpr std::size_t kLanes = 64;
+
+  /// @pre degree at most 4, fewer than 2^16 vertices.
   explicit Routing(const Graph& graph)
-      : graph_(graph),
-        order_(graph.num_vertices() + std::size_t{1}),
-        distance_(graph.num_vertices(), kUnseen),
-        units_(graph.num_vertices()),
-        load_(graph.num_edges()),
-        heaviest_(graph.num_vertices()) {}
-
-  /// Adds a source: of edges to nearer vertices each vertex takes the one with the least load.
-  void add_source(Vertex source) {
-    const std::size_t size = search_from(source);
-    for (std::size_t i = size; --i > 0;) send_on(order_[i]);
-    for (std::size_t i = 0; i < size; ++i) distance_[order_[i]] = kUnseen;
-    heaviest_[source] = kUnseen;
-  }
-  /// The vertex whose edges have the least load, of those that are no source yet.
-  Vertex next_source(std::span<const Vertex> vertices) const {
-    return *std::min_element(vertices.begin(), vertices.end(),
-                             [this](Vertex u, Vertex v) { return heaviest_[u] < heaviest_[v]; });
+      : n_(graph.num_vertices()), ways_(n_), units_(n_ + 1), load_(graph.num_edges() + 1) {
+    for (Vertex v = 0; v < n_; ++v) {
+      ways_[v].fill({static_cast<Vertex>(n_), graph.num_edges()});  // never nearer
+      std::copy(graph.incident(v).begin(), graph.incident(v).end(), ways_[v].begin());
+    }
   }
 
-  std::uint64_t largest_load() const { return largest_; }
-  /// Of all paths taken.
-  std::uint64_t length() const { return length_; }
-
- private:
-  static constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max() - 1;
-
-  std::size_t search_from(Vertex source) {
-    order_[0] = source;
-    distance_[source] = 0;
-    std::size_t end = 1;
-    for (std::size_t i = 0; i < end; ++i) {
-      const Vertex v = order_[i];
-      const std::uint32_t next = distance_[v] + 1;
-      units_[v] = 1;
-      for (const HalfEdge& half : graph_.incident(v)) {
-        std::uint32_t& distance = distance_[half.to];
-        order_[end] = half.to;
-        end += distance == kUnseen;
-        distance = std::min(distance, next);
+  /// Adds up to 64 sources: of edges to nearer vertices each vertex takes one with the least load.
+  /// False if some vertex is too far away.
+  bool add_sources(std::span<const Vertex> sources) {
+    if (!search_from(sources)) return false;
+    std::array<std::uint16_t, kLanes> own;
+    own.fill(1);
+    std::fill(units_.begin(), units_.end(), own);
+    for (std::size_t distance = levels_.size(); --distance > 0;) {
+      for (Vertex v = 0; v < n_; ++v) {
+        if (levels_[distance][v] != 0) send_on(v, levels_[distance][v], levels_[distance - 1]);
       }
     }
-    return end;
+    return true;
   }
-
-  void send_on(Vertex v) {
-    const std::uint32_t nearer = distance_[v] - 1;
-    std::uint32_t least = kUnseen;
-    HalfEdge way;
-    for (const HalfEdge& half : graph_.incident(v)) {
-      const std::uint32_t load = distance_[half.to] == nearer ? load_[half.edge] : kUnseen;
-      const bool is_less = load < least;
-      way.to = is_less ? half.to : way.to;
-      way.edge = is_less ? half.edge : way.edge;
-      least = std::min(least, load);
+  /// Of the vertices whose edges have the least load, up to 64 that are no neighbours and have none
+  /// in common.
+  std::vector<Vertex> next_sources(std::span<const Vertex> vertices) const {
+    constexpr std::uint32_t kSpread = 2654435761;  // of equal ones over the labels
+    std::vector<std::array<std::uint32_t, 3>> by_load;
+    for (const Vertex v : vertices) {
+      std::uint32_t heaviest = 0;
+      for (const HalfEdge& way : ways_[v]) heaviest = std::max(heaviest, load_[way.edge]);
+      by_load.push_back({heaviest, v * kSpread, v});
     }
-    const std::uint32_t load = load_[way.edge] = least + units_[v];
-    units_[way.to] += units_[v];
-    length_ += nearer + 1;
-    largest_ = std::max(largest_, load);
-    heaviest_[v] = std::max(heaviest_[v], load);
-    heaviest_[way.to] = std::max(heaviest_[way.to], load);
+    const auto some = by_load.begin() + std::min<std::ptrdiff_t>(std::ssize(by_load), 8 * kLanes);
+    std::partial_sort(by_load.begin(), some, by_load.end());
+    by_load.erase(some, by_load.end());
+    std::vector<Vertex> sources;
+    std::vector<bool> is_near(n_ + 1);
+    for (const auto& [heaviest, spread, v] : by_load) {
+      bool is_apart = !is_near[v] && sources.size() < kLanes;
+      for (const HalfEdge& way : ways_[v]) is_apart &= !is_near[way.to];
+      if (!is_apart) continue;
+      sources.push_back(v);
+      is_near[v] = true;
+      for (const HalfEdge& way : ways_[v]) is_near[way.to] = way.to != n_;
+    }
+    return sources;
   }
 
-  const Graph& graph_;
-  std::vector<Vertex> order_;
-  std::vector<std::uint32_t> distance_, units_, load_;
-  std::vector<std::uint32_t> heaviest_;  ///< load of an edge at the vertex; kUnseen at a source
-  std::uint32_t largest_ = 0;
-  std::uint64_t length_ = 0;
+  std::uint64_t largest_load() const { return *std::max_element(load_.begin(), load_.end()); }
+  /// Of all paths taken.
+  std::uint64_t length() const {
+    return std::accumulate(load_.begin(), load_.end(), std::uint64_t{0});
+  }
+
+ private:
+  using Words = std::vector<std::uint64_t>;  ///< of the vertices, and of one that is nowhere
+
+  bool search_from(std::span<const Vertex> sources) {
+    constexpr std::size_t kFarthest = 256;  // deeper graphs have small bisections
+    levels_.assign(1, Words(n_ + 1));
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      levels_[0][sources[i]] |= std::uint64_t{1} << i;
+    }
+    Words seen = levels_[0];
+    for (std::uint64_t any = 1; any != 0 && levels_.size() <= kFarthest;) {
+      const Words& last = levels_.back();
+      Words next(n_ + 1);
+      any = 0;
+      for (Vertex v = 0; v < n_; ++v) {
+        std::uint64_t reached = 0;
+        for (const HalfEdge& way : ways_[v]) reached |= last[way.to];
+        any |= next[v] = reached & ~seen[v];
+        seen[v] |= reached;
+      }
+      levels_.push_back(std::move(next));  // the last one is empty
+    }
+    return levels_.size() <= kFarthest;
+  }
+
+  // Which lane takes which way is no question of a branch.
+  void send_on(Vertex v, std::uint64_t lanes, const Words& nearer) {
+    std::array<HalfEdge, 4> ways = ways_[v];
+    const auto order = [&](std::size_t i, std::size_t j) {
+      const bool is_less = load_[ways[j].edge] < load_[ways[i].edge];
+      const HalfEdge less = is_less ? ways[j] : ways[i];
+      ways[j] = is_less ? ways[i] : ways[j];
+      ways[i] = less;
+    };
+    order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+    std::array<std::uint64_t, 4> taken;
+    std::uint64_t rest = lanes;
+    for (std::size_t i = 0; i < 4; ++i) {
+      taken[i] = nearer[ways[i].to] & rest;
+      rest &= ~taken[i];
+    }
+    const std::uint64_t low = taken[1] | taken[3], high = taken[2] | taken[3];
+    std::array<std::uint32_t, 4> sent{};
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const int lane = std::countr_zero(lanes);
+      const std::size_t i = (low >> lane & 1) + 2 * (high >> lane & 1);
+      const std::uint16_t units = units_[v][lane];
+      units_[ways[i].to][lane] += units;
+      sent[i] += units;
+    }
+    for (std::size_t i = 0; i < 4; ++i) load_[ways[i].edge] += sent[i];
+  }
+
+  std::size_t n_;
+  std::vector<std::array<HalfEdge, 4>> ways_;  ///< of a vertex
+  std::vector<std::array<std::uint16_t, kLanes>> units_;
+  std::vector<std::uint32_t> load_;
+  std::vector<Words> levels_;  ///< by distance: the sources that are so far away
 };
+
+/// The edges between the half of a component that a breadth-first search finds first and the rest.
+std::uint64_t some_bisection(const Graph& graph, Vertex first) {
+  std::vector<bool> is_seen(graph.num_vertices()), is_inside(graph.num_vertices());
+  std::vector<Vertex> order{first};
+  is_seen[first] = true;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (const HalfEdge& half : graph.incident(order[i])) {
+      if (!is_seen[half.to]) order.push_back(half.to);
+      is_seen[half.to] = true;
+    }
+  }
+  std::uint64_t crossing = 0;
+  for (std::size_t i = 0; i < order.size() / 2; ++i) is_inside[order[i]] = true;
+  for (const auto [u, v] : graph.edges()) crossing += is_inside[u] != is_inside[v];
+  return crossing;
+}
 
 template <class IsOne>
 bool all_directions(const Guarantee& guarantee, const IsOne& is_one) {
@@ -141,32 +203,33 @@ std::uint64_t least_side(std::uint64_t low, const IsEnough& is_enough) {
 
 }  // namespace
 
-RoutedBisection route_bisection(const Graph& graph, std::span<const Vertex> vertices,
-                                std::uint32_t most_visits,
-                                const std::function<bool(const RoutedBisection&)>& is_worth) {
-  constexpr std::uint64_t kStride = 2654435761;  // spreads the first sources over the labels
+std::vector<RoutedBisection> route_bisection(
+    const Graph& graph, std::span<const Vertex> vertices, std::uint32_t most_visits,
+    const std::function<bool(const RoutedBisection&)>& is_worth) {
   const std::uint64_t n = vertices.size(), m = graph.num_edges();
-  const std::uint64_t most = std::min(n, most_visits / (n + 2 * m));
+  const std::uint64_t most = std::max<std::uint64_t>(most_visits / (n + 2 * m), 1);
+  std::vector<RoutedBisection> steps{{0, some_bisection(graph, vertices[0])}};
+  if (!is_worth(steps[0])) return steps;
   Routing routing(graph);
-  RoutedBisection result;
-  std::uint64_t half = 0, quarter = 0, sources = 0;  // bounds with that many of the sources
-  for (std::uint64_t next = std::min(most, kFirstSources); sources < next;
-       next = std::min(most, 2 * next)) {
-    for (; sources < next; ++sources) {
-      routing.add_source(sources < kFirstSources ? vertices[sources * kStride % n]
-                                                 : routing.next_source(vertices));
+  std::uint64_t sources = 0;
+  do {
+    for (const std::uint64_t end = std::clamp<std::uint64_t>(2 * sources, 1, most);
+         sources < end;) {
+      const std::vector<Vertex> next = routing.next_sources(vertices);
+      if (!routing.add_sources(next)) return steps;
+      sources += next.size();
     }
-    quarter = std::exchange(half, result.at_least);
+    RoutedBisection step = steps.back();
     const std::uint64_t bound = rounded_up(sources * (n / 2), routing.largest_load());
     // Edges carry at least the mean, and no less with more sources.
-    result.reachable = std::min({result.reachable, rounded_up(bound * most, sources),
-                                 5 * (sources * (n / 2) * m / routing.length() + 1) / 4});
-    result.at_least = std::max(result.at_least, std::min(bound, result.reachable));
-    if (10 * result.at_least < 11 * quarter || sources == most) break;
-    if (!is_worth(result)) return result;
-  }
-  result.reachable = result.at_least;
-  return result;
+    step.reachable = std::min({step.reachable, rounded_up(bound * std::max(most, sources), sources),
+                               5 * (sources * (n / 2) * m / routing.length() + 1) / 4});
+    step.at_least = std::max(step.at_least, std::min(bound, step.reachable));
+    const std::uint64_t quarter = steps.size() > 2 ? steps.end()[-2].at_least : 0;
+    if (10 * step.at_least < 11 * quarter || sources >= most) step.reachable = step.at_least;
+    steps.push_back(step);
+  } while (steps.back().reachable > steps.back().at_least && is_worth(steps.back()));
+  return steps;
 }
 
 std::uint64_t smallest_box(const BoxNeeds& needs) {
@@ -186,7 +249,9 @@ std::uint64_t smallest_box(const BoxNeeds& needs) {
 }
 
 GraphNeeds needs_of(const Graph& graph) {
-  GraphNeeds needs{.vertices = graph.num_vertices(), .edges = graph.num_edges()};
+  GraphNeeds needs;
+  needs.vertices = graph.num_vertices();
+  needs.edges = graph.num_edges();
   const std::vector<bool> inside = in_largest_component(graph);
   needs.part_vertices = static_cast<std::uint64_t>(std::count(inside.begin(), inside.end(), true));
   return needs;
@@ -194,24 +259,27 @@ GraphNeeds needs_of(const Graph& graph) {
 
 void seek_bisection(const Graph& graph, const Guarantee& guarantee, GraphNeeds& needs) {
   if (needs.part_vertices < kSmallestCut || needs.part_vertices > kLargestCut) return;
-  if (steps_of(guarantee) == DrawnSteps::any) return;
+  if (graph.max_degree() > 4 || steps_of(guarantee) == DrawnSteps::any) return;
   const auto volume_with = [&](std::uint64_t bisection) {
     GraphNeeds with = needs;
     with.bisection = bisection;
     return volume_at_least(with, guarantee);
   };
   const auto is_worth = [&](const RoutedBisection& found) {
-    return volume_with(found.reachable) > volume_with(found.at_least);
+    return 49 * volume_with(found.reachable) > 50 * volume_with(found.at_least);
   };
-  if (!is_worth({needs.bisection, std::min(needs.reachable_bisection, needs.edges)})) return;
-  const std::vector<bool> inside = in_largest_component(graph);
-  std::vector<Vertex> part;
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    if (inside[v]) part.push_back(v);
+  auto& found = needs.bisections;
+  auto last = std::find_if_not(found.begin(), found.end(), is_worth);
+  if (last == found.end()) {
+    const std::vector<bool> inside = in_largest_component(graph);
+    std::vector<Vertex> part;
+    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+      if (inside[v]) part.push_back(v);
+    }
+    found = route_bisection(graph, part, kMostVisits, is_worth);
+    last = std::prev(found.end());
   }
-  const RoutedBisection found = route_bisection(graph, part, kMostVisits, is_worth);
-  needs.bisection = found.at_least;
-  needs.reachable_bisection = found.reachable;
+  needs.bisection = last->at_least;
 }
 
 std::int64_t volume_at_least(const GraphNeeds& needs, const Guarantee& guarantee) {
