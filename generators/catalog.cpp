@@ -121,6 +121,8 @@ std::vector<Family> catalogue() {
        {}, steps<3, 3>, [](Count n, S, P) { return nested_triangles(n / 3); }},
       {"iterated-truncation", "K4 truncated again and again", 3, false, {}, truncation_sizes,
        [](Count n, S, P) { return iterated_truncation(n); }},
+      {"nested-truncation", "K4 whose innermost vertex is truncated again and again", 3, false, {},
+       steps<4, 2>, [](Count n, S, P) { return nested_truncation((n - 4) / 2); }},
       {"nanotube", "Fullerene tubes (5, 0) and (6, 0) with their caps", 3, false, {kAround},
        [](Count n, P p) { return multiple(n, 2 * count_of(p, "around"), 2); },
        [](Count n, S, P p) {

@@ -192,6 +192,23 @@ Graph truncated(const Graph& cubic) {
   return builder.finish();
 }
 
+Graph nested_truncation(Count depth) {
+  GraphBuilder builder(4 + 2 * depth, 6 + 3 * depth);
+  builder.cycle(0, 3);
+  Count inner = 3;
+  std::array<Count, 3> around{0, 1, 2};
+  for (Count d = 0; d < depth; ++d) {
+    const Count second = 4 + 2 * d, third = second + 1;
+    builder.edge(inner, around[0]);
+    builder.edge(second, around[1]);
+    builder.edge(inner, second);
+    around = {around[2], inner, second};
+    inner = third;
+  }
+  for (const Count v : around) builder.edge(inner, v);
+  return builder.finish();
+}
+
 Graph iterated_truncation(Count n) {
   Graph graph = complete_graph(4);
   while (graph.num_vertices() < n) graph = truncated(graph);

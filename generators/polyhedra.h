@@ -17,6 +17,10 @@ Graph truncated(const Graph& cubic);
 /// K4 truncated until it has n = 4 3^t vertices: cubic, planar, 3-connected.
 Graph iterated_truncation(Count n);
 
+/// K4, whose innermost vertex is truncated `depth` times: triangles inside one another, each of two
+/// new vertices and an old one. Cubic, planar, 3-connected; n = 4 + 2 depth.
+Graph nested_truncation(Count depth);
+
 /// A fullerene tube: a cap of one `around`-gon at each end and `rings` >= 1 cycles of 2 around
 /// vertices between them. n = 2 around (rings + 1), cubic, planar, 3-connected; two `around`-gons,
 /// 2 around pentagons, hexagons. around = 5 is the (5, 0) nanotube (rings = 1: the dodecahedron),

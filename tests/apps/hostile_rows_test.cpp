@@ -34,7 +34,7 @@ TEST(Keys, AreOfThePlan) {
   strange.runs.back().row_key[0] = '1';
   write_results(strange, file);
   const Outcome more = run(status);
-  expect_error(more, "r.h5: 1063 rows, but its study plans 1062: there is no row 1062");
+  expect_error(more, "r.h5: 1081 rows, but its study plans 1080: there is no row 1080");
   EXPECT_EQ(more.out, "") << "no word of completeness";
 }
 

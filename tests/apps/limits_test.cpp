@@ -44,7 +44,7 @@ TEST_F(Limits, ChosenRowsAreMadeAgain) {
 
   expect_error(run("{} study resume -q --again late " + results), "'late'");
   const Outcome again = run("{} study resume -q --again timeout " + results);
-  EXPECT_THAT(again.err, HasSubstr("2 of 1062 rows are made again"));
+  EXPECT_THAT(again.err, HasSubstr("2 of 1080 rows are made again"));
   EXPECT_EQ(again.exit_code, 5) << "one has crashed and was not chosen";
   const Results now = read_results(results);
   ASSERT_EQ(now.runs.size(), changed.runs.size());

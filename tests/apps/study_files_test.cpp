@@ -30,7 +30,7 @@ TEST_F(StudyFiles, AreFoundByEveryPathToThem) {
     expect_exit(5, in_folder(with_fault("full:60000") + "{} study run smoke -q -o " + name));
     ASSERT_TRUE(fs::exists(path("sub/r.h5.journal"))) << name;
     for (const char* other : {"sub/r.h5", "sub//r.h5.journal", "link/r.h5"}) {
-      expect_output(in_folder(std::string("{} study status ") + other), " of 1062 rows, stopped",
+      expect_output(in_folder(std::string("{} study status ") + other), " of 1080 rows, stopped",
                     5);
     }
     expect_error(in_folder("{} study run smoke -q --force -o " + name),

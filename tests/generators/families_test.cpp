@@ -100,6 +100,7 @@ const std::vector<Expectation> kExpectations = {
     {"nested-triangles", 13, 12, 21, 0, 1, 3, {{3, 6}, {4, 6}}},
     {"iterated-truncation", 35, 12, 18, 0, 1, 3, {{3, 12}}},
     {"iterated-truncation", 36, 36, 54, 0, 1, 3, {{3, 36}}},
+    {"nested-truncation", 15, 14, 21, 0, 1, 3, {{3, 14}}},
     {"nanotube", 20, 20, 30, 0, 1, 3, {{3, 20}}},
     {"nanotube", 40, 36, 54, 0, 1, 3, {{3, 36}}, {{"around", 6}}},
     {"fullerene", 20, 20, 30, 0, 1, 3, {{3, 20}}},
