@@ -8,6 +8,8 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/generators/catalog.h"
@@ -132,6 +134,20 @@ void print_list(const std::string& what) {
   if (manner.json) print_json(all);
 }
 
+/// Prints the specification of a named study, byte for byte.
+void print_study(const std::string& what, const std::string& name) {
+  if (what != "studies") {
+    throw InputError(fmt::format("'{}': only a study is shown by its name", printable(name)));
+  }
+  const NamedStudy* const study = find_named_study(name);
+  if (study == nullptr) {
+    throw InputError(fmt::format("'{}' is none of `ar3d list studies`{}", printable(name),
+                                 did_you_mean(name, names_of(named_studies()))));
+  }
+  if (manner.json) return print_json({{"name", study->name}, {"toml", study->toml}});
+  say("{}", study->toml);
+}
+
 /// "8n", "16/3n", "12n^2", "726n^1/2+1800": an extent as a word that proof/promise.ml reads.
 std::string size_word(const AxisBound& bound) {
   const unsigned half = bound.half_power;
@@ -180,13 +196,19 @@ void add_list(CLI::App& app, int&) {
           "algorithms, families, named-graphs, formats, metrics or studies; everything if left out")
       ->check(one_of(
           {"all", "algorithms", "families", "named-graphs", "formats", "metrics", "studies"}));
+  const auto study = std::make_shared<std::string>();
+  verb->add_option("NAME", *study, "with studies: prints the specification of this one, in TOML");
   const auto promise = std::make_shared<std::string>();
   verb->add_option("--promise", *promise,
                    "Only what this algorithm promises, as the options of ar3d_proved")
-      ->excludes("WHAT");
+      ->excludes("WHAT")
+      ->excludes("NAME");
   add_json(*verb)->excludes("--promise");
-  verb->footer("Example: ar3d list families");
-  verb->callback([what, promise] {
+  verb->footer(
+      "Example: ar3d list families\nExample: ar3d list studies quick >mine.toml; ar3d study run "
+      "mine.toml");
+  verb->callback([what, study, promise] {
+    if (!study->empty()) return print_study(*what, *study);
     if (promise->empty()) return print_list(*what);
     print_promise(find_algorithm(*promise));
   });

@@ -87,8 +87,7 @@ int conclude(const JournaledStudy& study, Rows made, bool force, bool unchanged)
   const bool is_timed = std::ranges::any_of(
       study.spec.sweeps, [](const Sweep& sweep) { return sweep.timed.most > 0; });
   if (!is_timed) {
-    note(stdout, "times    not measured: {} does\n",
-         study.spec.name == kGraphsStudy ? "--timed N" : "`timed_repetitions` in a sweep");
+    note(stdout, "times    not measured: --timed N does\n");
   }
   if (!manner.json) say("{}", left_out_text(rows.identity()));
   if (study.shard.count > 1) {
@@ -157,9 +156,10 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
   policy.workers = workers_for(arguments.workers, ranks->size());
   policy.ranks = ranks.get();
   if (!manner.quiet && ranks->size() == 1) policy.progress = stderr;
+  std::string remarks;
   const auto begin_possible = [&] {
     JournaledStudy begun = begin();
-    refuse_impossible_study(begun, policy);
+    remarks = refuse_impossible_study(begun, policy);
     return begun;
   };
   std::optional<std::string> results;
@@ -173,7 +173,10 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
   try {
     const JournaledStudy study = begin_together(*ranks, begin_possible);
     results = study.results;
-    if (ranks->is_first()) tell_reading(study);
+    if (ranks->is_first()) {
+      tell_reading(study);
+      note(stderr, "{}", remarks);
+    }
     return run_to_the_end(study, arguments, policy, *ranks);
   } catch (const FailedTogether& error) {
     // Said before the ranks part: mpirun ends all of them as soon as one has left with an error.

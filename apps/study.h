@@ -31,7 +31,8 @@ Study chosen_study(const StudyChoice& choice);
 
 /// Refuses a study before any work that cannot be made with this policy (bad build, too few cores).
 /// For large sizes and for rows with limits it estimates the cells, too. @throws InputError
-void refuse_impossible_study(const Study& study, const SessionPolicy& policy);
+/// @return what the plan does without, and what the machine lacks, in lines.
+std::string refuse_impossible_study(const Study& study, const SessionPolicy& policy);
 
 /// Returns the row with that key, or with that number from 0. @throws InputError naming the file if
 /// there is none.

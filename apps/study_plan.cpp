@@ -12,6 +12,7 @@
 #include "ar3d/analysis/table.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/describe_study.h"
@@ -134,9 +135,34 @@ nlohmann::ordered_json plan_json(const StudySpec& spec, const StudyPlan& plan,
           {"unknown_rows", estimate.unknown_rows},
           {"threads", estimate.threads},
           {"wall_s", estimate.wall_s},
+          {"counting_s", spec.count ? estimate.counting_s : 0},
           {"largest_row_bytes", estimate.largest_row_bytes},
           {"left_out", left_out},
           {"cells", cells}};
+}
+
+// A line for each algorithm that does not draw all families of its sweeps.
+std::string left_out_families(const StudyPlan& plan) {
+  std::string text;
+  for (const auto& [algorithm, families] : plan.left_out) {
+    text += fmt::format("left out: {} draws degree {} at most, not {}\n", algorithm->name,
+                        algorithm->guarantee.max_degree, fmt::join(families, ", "));
+  }
+  return text;
+}
+
+// What the machine cannot give: batches of more threads than there are cores to run on.
+std::string crowded_batches(const StudyPlan& plan) {
+  const auto cores = static_cast<std::int64_t>(usable_cores());
+  std::int64_t most = 0;
+  for (const PlannedBlock& block : plan.instances.blocks()) {
+    for (const PlannedRun& run : block.first.runs) {
+      if (is_batched(run.phase) && !is_over_ranks(run.phase)) most = std::max(most, run.scale);
+    }
+  }
+  if (most <= cores) return "";
+  return fmt::format("batches of {} threads share {} core{}: their efficiency says nothing\n", most,
+                     cores, cores == 1 ? "" : "s");
 }
 
 void print_estimate(const Study& study, const StudyPlan& plan, const StudyEstimate& estimate,
@@ -147,14 +173,12 @@ void print_estimate(const Study& study, const StudyPlan& plan, const StudyEstima
     if (collections.insert(corpus.record.name).second) print_collection(corpus);
   }
   print_cells(estimate, collections);
-  for (const auto& [algorithm, families] : plan.left_out) {
-    say("left out: {} draws degree {} at most, not {}\n", algorithm->name,
-        algorithm->guarantee.max_degree, fmt::join(families, ", "));
-  }
+  say("{}{}", left_out_families(plan), crowded_batches(plan));
   say("{} cells, {} instances, {} rows", estimate.cells.size(), plan.instances.size(),
       estimate.rows);
   if (estimate.optional_rows > 0) say(" and at most {} more", estimate.optional_rows);
   say("\n{}\n", cost_of(estimate, workers));
+  if (study.spec.count) say("counting takes about {} more\n", about(estimate.counting_s));
   if (plan.budget.study_s && estimate.wall_s > *plan.budget.study_s) {
     say("the budget of {} will probably end it earlier\n", about(*plan.budget.study_s));
   }
@@ -176,10 +200,10 @@ void add_study_choice(CLI::App& verb, StudyChoice& choice) {
   verb.add_option("--groups", graphs.groups,
                   "of a collection: a table, a line FILE,GROUP each, that says the groups instead")
       ->needs(files);
-  verb.add_option("--timed", graphs.timed, "with --graphs: so many rounds of timed drawings")
+  verb.add_option("--timed", graphs.timed,
+                  "so many rounds of timed drawings, in every sweep of the study")
       ->default_str("")
-      ->check(whole_number(1, 1000000))
-      ->needs(files);
+      ->check(whole_number(1, 1000000));
   verb.add_flag("--count", graphs.count, "with --graphs: instructions are counted by callgrind")
       ->needs(files);
   verb.add_flag("--skip", graphs.skip,
@@ -215,7 +239,10 @@ Study chosen_study(const StudyChoice& choice) {
   if (choice.study.empty() == choice.graphs.files.empty()) {
     throw InputError("either STUDY or --graphs says what to run; --help shows both");
   }
-  if (!choice.study.empty()) return load_study(choice.study);
+  if (!choice.study.empty()) {
+    const Study study = load_study(choice.study);
+    return choice.graphs.timed == 0 ? study : with_timed_rounds(study, choice.graphs.timed);
+  }
   GraphsStudy graphs = choice.graphs;
   if (!graphs.name.empty() && graphs.files.size() > 1) {
     throw InputError(
@@ -226,15 +253,17 @@ Study chosen_study(const StudyChoice& choice) {
   return parse_study(graphs_study_text(graphs), kOptionsFile);
 }
 
-void refuse_impossible_study(const Study& study, const SessionPolicy& policy) {
+std::string refuse_impossible_study(const Study& study, const SessionPolicy& policy) {
   const StudyPlan plan = plan_study(study);
   require_possible(plan, policy);
   const std::vector<PlannedBlock>& blocks = plan.instances.blocks();
   const bool is_large = std::any_of(blocks.begin(), blocks.end(), [](const PlannedBlock& block) {
     return block.first.n >= kLargeSize;
   });
-  if (!is_large && !plan.budget.limits_rows()) return;
-  refuse_impossible(plan, estimate(plan, policy.workers), available_memory());
+  if (is_large || plan.budget.limits_rows()) {
+    refuse_impossible(plan, estimate(plan, policy.workers), available_memory());
+  }
+  return left_out_families(plan) + crowded_batches(plan);
 }
 
 void add_study_plan(CLI::App& study, int&) {

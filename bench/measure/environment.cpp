@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/store/hdf5/results_file.h"
@@ -190,6 +191,9 @@ std::vector<EnvironmentEntry> capture_environment(int threads) {
       {"hardware_counters", HardwareCounters().availability()},
       {"load_before", load_average()},
   };
+  if (quota_threads() < allowed_cores().size()) {
+    entries.push_back({"cpu_quota", fmt::format("{} cores", quota_threads())});
+  }
   add_libraries(entries);
   add_variables(entries);
   return entries;

@@ -12,8 +12,6 @@ namespace ar3d {
 /// if it can.
 std::string counting_problem();
 
-/// Drawings of more vertices are not counted unless that is asked for.
-inline constexpr std::int64_t kLargestCounted = 10000;
 /// Fills counted_instructions and estimated_cycles in all rows of every drawing of the catalogue's
 /// algorithms with at most max_n vertices, by callgrind (valgrind) in one process of this program.
 /// The same build gives the same numbers on every run. Cost: about 50 times the time of generating

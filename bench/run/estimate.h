@@ -34,6 +34,7 @@ struct StudyEstimate {
   int threads = 1;               ///< rows at a time in the metrics phase
   double wall_s = 0;  ///< of the whole study on so many threads, without the unknown rows
   double largest_row_bytes = 0;
+  double counting_s = 0;  ///< of counting all drawings by callgrind, which wall_s does not hold
   std::uint64_t calibration_n = 0;  ///< the largest size that was drawn for it
 };
 

@@ -1,7 +1,5 @@
 // State that all phases of a session share: which rows are there, when to stop, and the line that
 // tells how far the study is.
-#include <tuple>
-
 #include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/execute.h"
@@ -16,27 +14,32 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
-// Counts the rows that are left to do, without those that may turn out not to be needed, and their
-// work.
-std::pair<std::size_t, double> remaining_rows(const StudyPlan& plan, const RowSink& sink) {
-  std::size_t rows = 0;
-  double work = 0;
+// What is left to do of all phases.
+struct RemainingRows {
+  std::size_t rows = 0;      // that the study is not complete without
+  std::size_t optional = 0;  // that may turn out not to be needed
+  double work = 0;           // of the former
+};
+
+RemainingRows remaining_rows(const StudyPlan& plan, const RowSink& sink) {
+  RemainingRows left;
   if (!sink.has) {  // without session a million instances for nothing
     for (const PlannedBlock& block : plan.instances.blocks()) {
       const std::size_t more = block.count * required_runs(block.first);
-      rows += more;
-      work += static_cast<double>(more) * work_of_row(block.first);
+      left.rows += more;
+      left.optional += block.count * block.first.runs.size() - more;
+      left.work += static_cast<double>(more) * work_of_row(block.first);
     }
-    return {rows, work};
+    return left;
   }
   for (const PlannedInstance& instance : plan.instances) {
     for (const PlannedRun& run : instance.runs) {
-      if (run.optional || sink.has(run.row_key)) continue;
-      ++rows;
-      work += work_of_row(instance);
+      if (sink.has(run.row_key)) continue;
+      ++(run.optional ? left.optional : left.rows);
+      if (!run.optional) left.work += work_of_row(instance);
     }
   }
-  return {rows, work};
+  return left;
 }
 
 // Work of a row, which the plan knows by its place.
@@ -54,9 +57,10 @@ class StudySession::Progress {
       : out_(policy.progress),
         terminal_(out_ != nullptr && isatty(fileno(out_)) == 1),
         name_(policy.name) {
-    if (out_ != nullptr) std::tie(total_rows_, total_work_) = remaining_rows(plan, sink);
+    if (out_ != nullptr) left_ = remaining_rows(plan, sink);
   }
 
+  // A row of any phase. @param work  0 of an optional one.
   void row_done(double work, bool ok) {
     ++rows_;
     work_ += work;
@@ -84,11 +88,13 @@ class StudySession::Progress {
   }
 
   std::string line(double elapsed_s) const {
-    std::string text = fmt::format("study {}: {} of {} rows", name_, rows_, total_rows_);
+    std::string text = fmt::format("study {}: {} of {}", name_, rows_, left_.rows);
+    if (left_.optional > 0) text += fmt::format(" to {}", left_.rows + left_.optional);
+    text += " rows";
     if (not_ok_ > 0) text += fmt::format(" ({} not ok)", not_ok_);
     text += ", " + duration(elapsed_s);
-    if (rows_ < total_rows_ && work_ > 0) {
-      text += fmt::format(", about {} left", duration(elapsed_s * (total_work_ - work_) / work_));
+    if (rows_ < left_.rows && work_ > 0) {
+      text += fmt::format(", about {} left", duration(elapsed_s * (left_.work - work_) / work_));
     }
     return text;
   }
@@ -96,8 +102,7 @@ class StudySession::Progress {
   std::FILE* out_;
   bool terminal_;
   std::string name_;
-  std::size_t total_rows_ = 0;
-  double total_work_ = 0;
+  RemainingRows left_;
   std::size_t rows_ = 0;
   std::size_t not_ok_ = 0;
   double work_ = 0;
@@ -132,8 +137,8 @@ void StudySession::add(const PlannedRun& run, const RunRecord& row) {
     sink_failed_ = true;
     return;
   }
-  if (!run.optional && policy_.progress != nullptr) {
-    progress_->row_done(work_at(plan_, run.row),
+  if (policy_.progress != nullptr) {
+    progress_->row_done(run.optional ? 0 : work_at(plan_, run.row),
                         row.status == RunStatus::ok || row.status == RunStatus::measured);
   }
 }

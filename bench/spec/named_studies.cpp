@@ -82,6 +82,14 @@ std::string movable_text(const Study& whole) {
   return text_of(study);
 }
 
+Study with_timed_rounds(const Study& whole, std::uint64_t rounds) {
+  toml::table study = parse_toml(whole.spec.text, whole.spec.name);
+  for_each_sweep(study, [&](toml::table& sweep) {
+    sweep.insert_or_assign("timed_repetitions", static_cast<std::int64_t>(rounds));
+  });
+  return {parse_study(text_of(study), whole.spec.name + " with --timed"), whole.files};
+}
+
 std::string text_of_a_turn(const Study& whole, std::int64_t most_timed) {
   const StudySpec& spec = whole.spec;
   const auto is_long = [&](const Sweep& sweep) { return sweep.timed.most > most_timed; };

@@ -128,6 +128,9 @@ struct Sweep {
   std::vector<CellPattern> exclude;
 };
 
+/// Drawings of more vertices are not counted unless that is asked for.
+inline constexpr std::int64_t kLargestCounted = 10000;
+
 /// Is what the text of a specification says: a value, made once.
 struct StudySpec {
   std::string name;
@@ -235,6 +238,9 @@ const NamedStudy* find_named_study(std::string_view name);
 /// Returns the text of the specification, to be kept in another folder: the paths of `graphs` are
 /// absolute. A study without graphs of files keeps its text byte for byte.
 std::string movable_text(const Study& whole);
+
+/// Returns the study with so many rounds of the timing phase in every sweep, as if its text said so.
+Study with_timed_rounds(const Study& whole, std::uint64_t rounds);
 
 /// Returns the same for one of many runs of the study, also by older programs: without `count`, and
 /// with at most `most_timed` timed repetitions.

@@ -4,6 +4,7 @@
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/store/rows.h"
 #include "support/program.h"
+#include "support/tables.h"
 
 namespace ar3d::testing {
 namespace {
@@ -33,6 +34,73 @@ strong = { threads = [1, 2], drawings = 2 }
   EXPECT_EQ(rows_of_phase(made, RunPhase::strong), 2 * 3 * 2 * (2 + 2));
   EXPECT_EQ(made.runs.front().peak_scope, "worker");
   expect_exit(0, run("{} replay " + results + " 1"));  // a timing row
+}
+
+TEST(MeasuredStudy, EveryStudyIsTimedThatIsAskedTo) {
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write("s.toml", R"(study = "s"
+[[sweep]]
+families = ["cycle", "square-grid"]
+sizes = [9, 16]
+algorithms = ["two-bend", "grid"]
+[[sweep]]
+families = "prism"
+sizes = 12
+algorithms = "grid"
+timed_repetitions = { precision = 0.5, min = 6, max = 8 }
+)");
+  const std::string results = scratch.path("s.h5");
+  const Outcome untimed = run("{} study run " + spec + " -o " + results + " --force-timing");
+  expect_exit(0, untimed);
+  EXPECT_THAT(untimed.err,
+              HasSubstr("left out: two-bend draws degree 3 at most, not square-grid\n"));
+  EXPECT_THAT(run("{} study plan " + spec).out,
+              HasSubstr("left out: two-bend draws degree 3 at most, not square-grid\n"));
+  const Results first = read_results(results);
+  EXPECT_GE(rows_of_phase(first, RunPhase::timing), 6);
+  // The last line of the progress counts what the verdict counts.
+  EXPECT_THAT(untimed.err,
+              HasSubstr(fmt::format("study s: {} of 11 to 13 rows", first.runs.size())));
+  expect_exit(0,
+              run("{} study run " + spec + " -q --force --force-timing --timed 3 -o " + results));
+  const Results timed = read_results(results);
+  EXPECT_EQ(rows_of_phase(timed, RunPhase::timing), 5 * 3) << "each of the drawings of both sweeps";
+  EXPECT_THAT(timed.spec, HasSubstr("timed_repetitions = 3"));
+  expect_exit(0, run("{} study resume " + results));
+}
+
+TEST(MeasuredStudy, NamedStudiesArePrinted) {
+  const ScratchDirectory scratch;
+  const Outcome printed = run("{} list studies quick");
+  expect_exit(0, printed);
+  EXPECT_EQ(printed.out, read_file(AR3D_SOURCE_DIR "/bench/studies/quick.toml"));
+  expect_exit(0, run("{} study plan " + scratch.write("q.toml", run("{} list studies smoke").out)));
+  expect_one_line(run("{} list studies quik"), "did you mean 'quick'");
+  expect_one_line(run("{} list families quick"), "only a study is shown by its name");
+  EXPECT_EQ(nlohmann::json::parse(run("{} list studies quick --json").out)["toml"], printed.out);
+}
+
+TEST(MeasuredStudy, ThreadsBeyondTheCoresAreMarkedAndCountingIsPlanned) {
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write("s.toml", R"(study = "s"
+count = true
+[[sweep]]
+families = "random-cubic"
+sizes = 2000
+algorithms = "grid"
+strong = { threads = [1, 2], drawings = 2 }
+)");
+  const Outcome plan = run("taskset -c 0 {} study plan " + spec);
+  EXPECT_THAT(plan.out,
+              HasSubstr("batches of 2 threads share 1 core: their efficiency says nothing"));
+  EXPECT_THAT(plan.out, HasSubstr("counting takes about "));
+  EXPECT_GT(nlohmann::json::parse(run("{} study plan --json " + spec).out)["counting_s"], 0);
+  const std::string results = scratch.path("s.h5");
+  const Outcome made = run("taskset -c 0 {} study run " + spec + " --force-timing -o " + results);
+  EXPECT_THAT(made.err, HasSubstr("batches of 2 threads share 1 core"));
+  const auto scaling = tables_in(read_file(scratch.path("s.html")))["scaling"];
+  for (const auto& row : scaling) EXPECT_EQ(row["crowded"], row["sharers"] == 2);
+  EXPECT_EQ(scaling.size(), 2u);
 }
 
 TEST(MeasuredStudy, ASpentBudgetEndsTheStudyWithWhatIsDone) {

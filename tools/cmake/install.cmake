@@ -5,6 +5,7 @@ install(TARGETS ${libraries} EXPORT ar3dTargets ARCHIVE DESTINATION ${CMAKE_INST
 install(TARGETS ar3d_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(FILES ${CMAKE_SOURCE_DIR}/python/ar3d/figures.py DESTINATION ${CMAKE_INSTALL_DATADIR}/ar3d COMPONENT program)  # to read and change
 install(FILES ${CMAKE_SOURCE_DIR}/build/playground/play.html DESTINATION ${CMAKE_INSTALL_DATADIR}/ar3d COMPONENT program OPTIONAL)  # where tools/playground made it
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/bench/studies DESTINATION ${CMAKE_INSTALL_DATADIR}/ar3d COMPONENT program)  # to copy and change
 if(AR3D_MPI)
   install(TARGETS ar3d_mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi OPTIONAL)  # where it was built
 endif()
