@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdlib>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -39,6 +40,19 @@ void append_rows(const Table& table, std::string& json) {
   if (!table.empty()) json += ']';
 }
 
+// A shorter number that the page makes of these digits is that of the value itself: where the last
+// digit is 0 or 5, a further one says on which side of it the value lies.
+void append_rounded(double number, int digits, std::string& text) {
+  constexpr int kMostFurther = 6;  // beyond that it is an error of arithmetic
+  int some = digits;
+  for (; some < digits + kMostFurther; ++some) {
+    const std::string shown = fmt::format("{:.{}e}", number, some - 1);
+    const char last = shown[shown.find('e') - 1];
+    if ((last != '0' && last != '5') || std::strtod(shown.c_str(), nullptr) == number) break;
+  }
+  fmt::format_to(std::back_inserter(text), "{:.{}g}", number, some);
+}
+
 }  // namespace
 
 TableCell::TableCell(double number) {
@@ -52,8 +66,8 @@ void TableCell::append_json(int digits, std::string& text) const {
   if (const auto* integer = std::get_if<std::int64_t>(&value_)) {
     fmt::format_to(out, "{}", *integer);
   } else if (const auto* number = std::get_if<double>(&value_)) {
-    digits == 0 ? fmt::format_to(out, "{}", *number)
-                : fmt::format_to(out, "{:.{}g}", *number, digits);
+    if (digits == 0) fmt::format_to(out, "{}", *number);
+    if (digits != 0) append_rounded(*number, digits, text);
   } else if (const auto* flag = std::get_if<bool>(&value_)) {
     text += *flag ? "true" : "false";
   } else if (const auto* words = std::get_if<std::string>(&value_)) {

@@ -31,8 +31,9 @@ class TableCell {
   requires(!std::same_as<Integer, bool>) TableCell(Integer integer)
       : value_(static_cast<std::int64_t>(integer)) {}
 
-  /// Appends it as JSON, numbers with so many significant digits; 0: the shortest that reads back
-  /// as the same. Nothing in it ends a script element.
+  /// Appends it as JSON, numbers with so many significant digits, or a few more where rounding what
+  /// is written to fewer digits would not be rounding the number; 0: the shortest that reads back as
+  /// the same. Nothing in it ends a script element.
   void append_json(int digits, std::string& text) const;
   /// Returns it as a field of RFC 4180; empty if missing.
   std::string csv() const;

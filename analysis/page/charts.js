@@ -2,7 +2,7 @@
 // Figures are drawn one after the other when the page has loaded, so that its first screen waits for none.
 import {all, duration, element, number, percent, power, shortCount} from "./values.js";
 
-const kWidth = 482, kHeight = 252, kLeft = 58, kRight = 126, kTop = 22, kBottom = 34;
+const kNarrow = globalThis.innerWidth < 500, kWidth = kNarrow ? 360 : 482, kHeight = kNarrow ? 200 : 252, kLeft = 58, kRight = 126, kTop = 22, kBottom = 34;
 const kColours = 8;
 const formats = {count: value => value < 1 ? number(value) : shortCount(Number(number(value))), power, seconds: duration,
   share: value => percent(value, 0), change: value => (value > 0 ? "+" : "") + percent(value, Math.abs(value) < 0.02 ? 2 : 1)};
@@ -70,8 +70,12 @@ const spread = svg => {
   for (const {text, x, y} of texts) text.setAttribute("transform", `translate(${x},${y})`);
 };
 
-/** What tells long names apart: their beginning and end. */
-const cut = text => text.length <= 19 ? text : text.slice(0, 11) + "\u2026" + text.slice(-7);
+/** A name shortened at its end; options, which tell settings apart, come first then. */
+const cut = text => {
+  if (text.length <= 20) return text;
+  const [, name, options] = /^(.*?) \((.*)\)$/.exec(text) ?? [null, text, ""];
+  return (options ? `${options} ${name}` : name).slice(0, 19) + "\u2026";
+};
 
 const lineMarks = line => {
   const {points, css = "", stroke, width = 1.8, dash} = line;

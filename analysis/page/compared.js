@@ -1,5 +1,5 @@
 // Settings beside each other: what they trade, and collections of graphs.
-import {byId, count, distinct, duration, element, grouped, number, percent, powerOfN, rowsOf, settingName} from "./values.js";
+import {byId, count, distinct, duration, element, grouped, number, percent, powerOfN, rowsOf, settingName, shortName, span} from "./values.js";
 import {folded, makeTable, withSmall} from "./tables.js";
 import {colour, figure} from "./charts.js";
 import {graphButton, nameOf} from "./graphs.js";
@@ -14,11 +14,11 @@ const groupText = group => `${group.families === 1 ? group.family + ", which" : 
 const tradeChart = (group, n) => {
   const rows = rowsOf("trade").filter(row => row.group === group && row.n === n && row.time !== null), about = rowsOf("groups")[group];
   const front = rows.filter(row => row.front).sort((a, b) => a.time - b.time);
-  return {file: "trade-n-" + n, title: `Volume against drawing time, n = ${count(n)}`, x: {title: "drawing time", format: "seconds"},
+  return {file: "trade-n-" + n, title: `Volume against drawing time, n = ${span(rows[0])}`, x: {title: "drawing time", format: "seconds"},
     note: `medians over ${groupText(about)}; marks: ${distinct(rows.map(row => bendText(row.bends))).join(", ")}; line: nothing is smaller and faster`,
     y: {title: "volume in " + about.unit, format: "power"},
     lines: [{name: "Pareto front", css: "front", stroke: "var(--muted)", dash: "3 3", width: 1.2, curve: "step-after", points: front.map(row => ({x: row.time, y: row.volume}))}],
-    symbols: rows.map(row => ({name: settingName(row.setting), label: settingName(row.setting), fill: colour(row.setting), shape: shapeOf(row.bends),
+    symbols: rows.map(row => ({name: settingName(row.setting), label: shortName(row.setting), fill: colour(row.setting), shape: shapeOf(row.bends),
       points: [{x: row.time, y: row.volume}]}))};
 };
 
@@ -27,7 +27,7 @@ const volumeChart = group => {
   const crossings = rowsOf("crossings").filter(row => row.group === group);
   return {file: "volume", title: "Volume against n", note: `in ${about.unit}, divided by ${divisor}; medians over ${groupText(about)}`,
     x: {title: "vertices n"}, y: {title: "volume / " + divisor, format: "power"},
-    lines: [...rows].map(([setting, points]) => ({name: settingName(setting), label: settingName(setting), stroke: colour(setting), points: points.map(row => ({x: row.n, y: row.over}))})),
+    lines: [...rows].map(([setting, points]) => ({name: settingName(setting), label: shortName(setting), stroke: colour(setting), points: points.map(row => ({x: row.n, y: row.over}))})),
     symbols: crossings.length ? [{name: "crossings", css: "crossing", hollow: true, size: 4, points: crossings.map(row => ({x: row.n, y: row.over}))}] : []};
 };
 
@@ -37,7 +37,7 @@ const crossingList = group => element("ul", {class: "crossings"}, rowsOf("crossi
 
 /** Sizes at which two settings of the group have a time, with how many. */
 const tradeSizes = group => [...grouped(rowsOf("trade").filter(row => row.group === group && row.time !== null), row => row.n)]
-  .filter(([, rows]) => rows.length >= 2).map(([n, rows]) => ({n, settings: rows.length})).sort((a, b) => a.n - b.n);
+  .filter(([, rows]) => rows.length >= 2).map(([n, rows]) => ({n, text: span(rows[0]), settings: rows.length})).sort((a, b) => a.n - b.n);
 
 /** The largest n at which most settings are compared. */
 const firstShown = sizes => sizes.reduce((best, one) => !best || one.settings >= best.settings ? one : best, null)?.n;
@@ -52,7 +52,7 @@ export const tradeSection = () => {
   const list = element("div", {}, crossingList(0)), volume = figure(() => volumeChart(Number(groupChoice.value)), {}, list);
   const offer = () => {
     const sizes = tradeSizes(Number(groupChoice.value)), before = Number(sizeChoice.value);
-    sizeChoice.replaceChildren(...sizes.map(({n}) => element("option", {value: n}, count(n))));
+    sizeChoice.replaceChildren(...sizes.map(({n, text}) => element("option", {value: n}, text)));
     if (sizes.length) sizeChoice.value = sizes.some(({n}) => n === before) ? before : firstShown(sizes);
     trade.hidden = byId("trade-at").hidden = !sizes.length;
     byId("trade-untimed").hidden = sizes.length > 0;
@@ -77,7 +77,7 @@ export const effortChart = () => {
 };
 export const effortTable = () => makeTable([{name: "Setting", show: row => settingName(row.setting)}, {name: "n", value: row => row.n, show: row => count(row.n)},
   {name: "Times the volume", value: row => row.volume, show: row => number(row.volume)},
-  {name: "Times the drawing time", value: row => row.time, show: row => row.time === null ? "not timed" : number(row.time)}], rowsOf("efforts"));
+  ...rowsOf("efforts").some(row => row.time !== null) ? [{name: "Times the drawing time", value: row => row.time, show: row => number(row.time)}] : []], rowsOf("efforts"));
 
 const kMeasures = {volume: {title: "Volume", format: "power", show: value => number(value)}, "drawing time": {title: "Drawing time", format: "seconds", show: duration, unit: "s"},
   "total edge length": {title: "Total edge length", format: "power", show: value => number(value), unit: "smallest vertex distances"},
@@ -166,13 +166,20 @@ export const scalingSection = () => {
   section.hidden = false;
   const charts = [...grouped(rows, row => `${row.algorithm}: ${row.kind} scaling${row.shared_by === "ranks" ? " over ranks" : ""}`)].map(([title, those]) => figure(() => {
     const most = Math.max(...those.map(row => row.sharers)), {shared_by: by, kind} = those[0];
-    return {file: title, title, note: kind === "strong" ? `the same drawings shared by more ${by}` : `as many drawings for each of the ${by}`, x: {title: by}, y: {title: "drawings at a time"},
-      lines: [...[...grouped(those, row => `${row.family}, n = ${count(row.n)}`)].map(([name, points], i) => ({name, label: i < 8 ? name : "", stroke: colour(i), points: points.map(row => ({x: row.sharers, y: row.at_a_time}))})),
+    return {file: title, title, note: kind === "strong" ? `the same drawings shared by more ${by}` : `as many drawings for each of the ${by}`, 
+      x: {title: by, ticks: distinct(those.map(row => row.sharers)).sort((a, b) => a - b), show: count}, y: {title: "drawings at a time"},
+      symbols: those.filter(row => row.crowded).map(row => ({name: "crowded", css: "crossing", hollow: true, size: 5, points: [{x: row.sharers, y: row.at_a_time}]})),
+      lines: [...[...grouped(those, row => `n = ${count(row.n)}, ${row.family}`)].map(([name, points], i) => ({name, label: i < 8 ? name : "", stroke: colour(i), points: points.map(row => ({x: row.sharers, y: row.at_a_time}))})),
         {name: "ideal", label: "ideal", css: "bound", stroke: "var(--bound)", dash: "7 4", points: [{x: 1, y: 1}, {x: most, y: most}]}]};
   }));
   section.querySelector(".figures").append(...charts);
+  const serialPart = row => row.serial === null || row.crowded ? "\u2013" : withSmall(percent(row.serial), `${percent(row.serial_low)} \u2013 ${percent(row.serial_high)}`);
   const by = row => `${count(row.sharers)} ${row.sharers === 1 ? row.shared_by.slice(0, -1) : row.shared_by}`;
   section.lastElementChild.append(makeTable([{name: "Algorithm", show: row => row.algorithm}, {name: "Kind", show: row => row.kind}, {name: "Family", show: row => row.family},
-    {name: "n", value: row => row.n, show: row => count(row.n)}, {name: "Shared by", value: row => row.sharers, show: by}, {name: "Batch", value: row => row.batch, show: row => duration(row.batch)},
-    {name: "Ideal", value: row => row.ideal, show: row => duration(row.ideal)}, {name: "Efficiency", value: row => row.efficiency, show: row => percent(row.efficiency)}], rows));
+    {name: "n", value: row => row.n, show: row => count(row.n)}, {name: "Shared by", value: row => row.sharers, show: by},
+    {name: "Batch", value: row => row.batch, show: row => withSmall(duration(row.batch), row.batch_low === null ? "" : `${duration(row.batch_low)} \u2013 ${duration(row.batch_high)}`)},
+    {name: "Ideal", value: row => row.ideal, show: row => duration(row.ideal)}, {name: "Efficiency", value: row => row.efficiency, show: row => row.crowded ? "not told: too few cores" : percent(row.efficiency)},
+    ...rows.some(row => row.serial !== null) ? [{name: "Serial part", value: row => row.serial, show: serialPart}] : []], rows));
+  byId("crowded").hidden = !rows.some(row => row.crowded);
+  byId("crowded").textContent = "Batches of more threads than cores that the study could use share these cores: their efficiency says nothing of the program. Hollow marks show them.";
 };

@@ -56,21 +56,22 @@ const commands = row => {
 const tip = byId("tip"), panel = byId("replay"), dialog = byId("shown"), opener = byId("open");
 let viewer = null;
 
-// The viewer's page, unpacked when it is first asked for, in a frame of its own that is gone when it is closed.
-const unpacked = () => {
-  const bytes = Uint8Array.from(atob(byId("viewer").textContent), c => c.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).text();
+/** What packed_text packed. */
+export const inflated = packed => {
+  const bytes = Uint8Array.from(atob(packed), c => c.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate")));
 };
+/** The viewer's page, unpacked when it is first asked for; a frame of its own shows it, which is gone when it is closed. */
+export const viewerText = () => viewer ??= inflated(byId("viewer").textContent).text();
 const showDrawing = async row => {
   panel.hidden = true;
-  viewer ??= unpacked();
   const frame = element("iframe", {title: "The drawing in 3D"});
   dialog.querySelector("p").textContent = describe(row).slice(0, 3).join(" \u00b7 ");
   dialog.querySelector("button").onclick = () => { dialog.close(); replay(row); };
   dialog.querySelector("iframe")?.remove();  // the event of a dialog that was just closed comes later
   dialog.append(frame);
   dialog.showModal();
-  frame.srcdoc = (await viewer).replace("<body>", `<body data-page="${Number(graphOf(row).drawing)}">`);
+  frame.srcdoc = (await viewerText()).replace("<body>", `<body data-page="${Number(graphOf(row).drawing)}">`);
   frame.addEventListener("load", () => {
     frame.focus();  // where Escape closes the dialog, too, unless it takes a selection away
     frame.contentWindow.addEventListener("keydown", event => { if (event.key === "Escape" && !event.defaultPrevented) dialog.close(); });

@@ -1,27 +1,17 @@
 // One section a setting: how its quantities grow, the share of the bound by family and n, its bounds by family, its bends.
-import {all, byId, count, distinct, element, grouped, interval, number, percent, powerOfN, range, rowsOf, shortCount} from "./values.js";
+import {all, byId, count, distinct, element, grouped, interval, number, percent, powerOfN, rowsOf, shortCount} from "./values.js";
 import {folded, makeTable, withSmall} from "./tables.js";
 import {colour, figure} from "./charts.js";
 import {graphButton, graphOf, graphText, isDrawn, open, pointsOf} from "./graphs.js";
 
-const kMostOpenRows = 80;
-const kShort = {"longest side": "side", volume: "volume", "drawing time": "time"};
+const kMostOpenRows = 24, kMostOpenMap = 80;
+const kShort = {volume: "volume", "drawing time": "time"};
 
 /** What an exponent is called: "1.02 [1.00, 1.04] power law". */
 export const exponentCell = (growth, digits = 3) => {
   if (!growth || growth.exponent === null) return ["\u2013"];
   const label = growth.growth + (growth.growth.startsWith("apparent") && growth.smallest_n ? ` on n = ${count(growth.smallest_n)} \u2013 ${count(growth.largest_n)}` : "");
   return withSmall(growth.exponent.toFixed(digits), [interval(growth.low, growth.high, digits), " ", label].filter(Boolean));
-};
-
-/** "0.98 – 1.02 [0.95, 1.05]", and how many families have which label. */
-export const exponentRange = row => {
-  if (!row) return ["\u2013"];
-  if (row.untimed) return ["not timed"];
-  const labels = [["power", "power law"], ["logarithm", "with logarithm"], ["apparent", "apparent"], ["undecided", "undecided"]]
-    .filter(([name]) => row[name] > 0).map(([name, text]) => `${count(row[name])} ${text}`).join(", ");
-  if (row.least === null) return ["undecided"];
-  return [range(row.least, row.largest), " ", element("small", {}, interval(row.low, row.high, 2), element("br"), labels)];
 };
 
 /** "none", or what is not right or not proved. */
@@ -34,7 +24,7 @@ export const violations = row => {
 
 /** The line of a family, its graphs as points, and its unfinished rows at the upper edge. */
 const familyLine = (growth, quantity, points, chosen) => {
-  const family = rowsOf("bounds")[growth.curve], isOn = Boolean(chosen?.has(growth.curve)), key = kShort[quantity], graphs = pointsOf(growth.curve);
+  const family = rowsOf("bounds")[growth.curve], isOn = Boolean(chosen?.has(growth.curve)), key = kShort[quantity] ?? "side", graphs = pointsOf(growth.curve);
   const stroke = growth.named ? colour(growth.named) : "var(--muted)", opacity = chosen && !isOn ? 0.15 : 1;
   return {line: {name: family.label, label: family.name, stroke, opacity, width: isOn ? 2.6 : 1.4, css: "family" + (isOn ? " on" : ""),
     points: points.map(row => ({x: row.n, y: row.median, low: row.least, high: row.largest}))},
@@ -45,8 +35,8 @@ const familyLine = (growth, quantity, points, chosen) => {
 };
 
 const growthChart = (setting, quantity, chosen) => {
-  const mine = row => row.setting === setting && row.quantity === quantity, of = rowsOf("exponents").find(mine);
-  const about = rowsOf("figures").find(mine), label = rowsOf("settings")[setting].setting, divisor = powerOfN(of.order), band = rowsOf("bands").filter(mine);
+  const mine = row => row.setting === setting && row.quantity === quantity;
+  const about = rowsOf("figures").find(mine), label = rowsOf("settings")[setting].setting, divisor = powerOfN(about.order), band = rowsOf("bands").filter(mine);
   const curves = grouped(rowsOf("curves").filter(row => row.quantity === quantity), row => row.curve);
   const families = growthRows(setting, quantity).filter(growth => (growth.named || chosen?.has(growth.curve)) && curves.has(growth.curve))
     .map(growth => familyLine(growth, quantity, curves.get(growth.curve), chosen));
@@ -55,8 +45,9 @@ const growthChart = (setting, quantity, chosen) => {
   const bound = rowsOf("bound_lines").filter(mine).map(row => ({x: row.n, y: row.bound}));
   if (about.beyond === null) lines.push({name: "theorem's bound", label: "theorem's bound", css: "bound", stroke: "var(--bound)", dash: "7 4", points: bound});
   const format = quantity === "volume" || band.some(row => row.least < 0.01) ? "power" : "count";
-  return {file: `${label}-${quantity}`, title: `${label}: ${quantity}`, x: {title: "vertices n"}, lines, dots: families.flatMap(family => family.dots).filter(one => one.points.length),
-    y: {title: `${quantity} / ${divisor}, ${of.unit}`, format: quantity === "drawing time" ? "seconds" : format},
+  return {file: `${label}-${quantity}`, title: `${label}: ${quantity}${quantity.endsWith("extent") ? ", the nearest to its bound" : ""}`,
+    x: {title: "vertices n"}, lines, dots: families.flatMap(family => family.dots).filter(one => one.points.length),
+    y: {title: `${quantity} / ${divisor}, ${about.unit}`, format: quantity === "drawing time" ? "seconds" : format},
     bands: [{name: "all families", points: band.map(row => ({x: row.n, low: row.least, high: row.largest, median: row.median}))}],
     note: `${count(about.families)} families` + (about.beyond === null ? "" : `; the theorem's bound lies at least ${number(about.beyond)} times above`)};
 };
@@ -73,11 +64,23 @@ function growthRows(setting, quantity) {
 
 const bandChart = setting => {
   const rows = rowsOf("volume_bands").filter(row => row.setting === setting), label = rowsOf("settings")[setting].setting;
-  const of = rowsOf("exponents").find(row => row.setting === setting && row.quantity === "volume");
+  const of = rowsOf("figures").find(row => row.setting === setting && row.quantity === "volume");
   return {file: label + "-volume-band", title: label + ": volume between its bounds", x: {title: "vertices n"},
     note: "below: proved impossible; above: excluded by the theorem; line: drawn, median", y: {title: `volume / ${powerOfN(of.order)}, ${of.unit}`, format: "power"},
     bands: [{name: "from at least to at most", points: rows.map(row => ({x: row.n, low: row.least, high: row.most, median: row.drawn}))}],
-    lines: [{name: "drawn", css: "middle", stroke: colour(0), width: 2.6, points: rows.map(row => ({x: row.n, y: row.drawn}))}]};
+    lines: [["drawn", "drawn", 2.6], ["proved: at least", "least", 1], ["theorem: at most", "most", 1]].map(([name, key, width]) => ({name, label: name, css: "middle", stroke: colour(0), width,
+      points: rows.map(row => ({x: row.n, y: row[key]}))}))};
+};
+
+/** Bends per edge against n; of chosen families their own lines. */
+const bendsByNChart = (setting, chosen) => {
+  const band = rowsOf("bands").filter(row => row.setting === setting && row.quantity === "bends per edge"), label = rowsOf("settings")[setting].setting;
+  const lines = [...grouped(rowsOf("bends_by_n").filter(row => row.setting === setting && chosen?.has(row.curve)), row => row.curve)].map(([curve, rows], i) => ({name: rowsOf("bounds")[curve].label,
+    label: rowsOf("bounds")[curve].name, stroke: colour(i + 1), css: "family on", points: rows.map(row => ({x: row.n, y: row.median, low: row.least, high: row.largest}))}));
+  return {file: label + "-bends-by-n", title: label + ": bends per edge", note: "least, median and largest of the families", x: {title: "vertices n"},
+    y: {title: "bends per edge", type: "linear", domain: [0, 1.05 * Math.max(...band.map(row => row.largest))]},
+    bands: [{name: "all families", points: band.map(row => ({x: row.n, low: row.least, high: row.largest, median: row.median}))}],
+    lines: [...lines, {name: "all families", css: "middle", stroke: colour(0), width: 2.6, points: band.map(row => ({x: row.n, y: row.median, low: row.least, high: row.largest}))}]};
 };
 
 const bendChart = setting => {
@@ -104,15 +107,18 @@ const shareCell = row => {
 const heatMap = setting => {
   const shares = rowsOf("shares").filter(row => row.setting === setting);
   if (!shares.length) return null;
+  if (shares.every(row => percent(row.share, 0) === "0 %")) {
+    return element("p", {class: "muted"}, `No graph uses more than ${percent(Math.max(...shares.map(row => row.share)), 2)} of the theorem's bound on any axis.`);
+  }
   const bins = distinct(shares.map(row => row.first_n)).sort((a, b) => a - b), ofCurve = grouped(shares, row => row.curve);
   const last = new Map(shares.map(row => [row.first_n, row.last_n])), top = curve => Math.max(...ofCurve.get(curve).map(row => row.share));
   const curves = [...ofCurve.keys()].sort((a, b) => top(b) - top(a));
   const columns = [{name: "Family"}, ...bins.map(bin => ({value: () => 0, title: `n = ${count(bin)}` + (last.get(bin) === bin ? "" : ` \u2013 ${count(last.get(bin))}`),
-    name: shortCount(bin) + (last.get(bin) === bin ? "" : "\u2013")}))];
+    name: last.get(bin) === bin ? shortCount(bin) : [shortCount(bin) + "\u2013", element("br"), shortCount(last.get(bin))]}))];
   const made = makeTable(columns, [], undefined, "heat");
   made.querySelector("tbody").append(...curves.map(curve => element("tr", {"data-f": curve}, element("th", {scope: "row"}, rowsOf("bounds")[curve].name),
     bins.map(bin => shareCell(ofCurve.get(curve).find(row => row.first_n === bin))))));
-  return folded("Share of the theorem's bound by family and n", curves.length <= kMostOpenRows, element("p", {class: "muted"},
+  return folded("Share of the theorem's bound by family and n", curves.length <= kMostOpenMap, element("p", {class: "muted"},
     "Per cent, the worst graph and axis; the family that comes closest stands first. A click on an underlined number opens its drawing in 3D; " +
     "on another one it shows the lines that draw it."), made);
 };
@@ -137,8 +143,8 @@ const boundsTable = rows => folded("Bounds table", rows.length <= kMostOpenRows,
 
 const timeLabel = growth => {
   if (!growth) return "\u2013";
-  if (growth.untimed) return ["not timed ", element("small", {}, element("code", {}, "timed_repetitions"), " in the sweep of the study times drawings")];
-  return [growth.growth, " ", element("small", {}, growth.reason + (growth.next ? "; would decide: " + growth.next : ""))];
+  if (growth.untimed) return "not timed";
+  return element("small", {}, [growth.reason, growth.next && "would decide: " + growth.next, fitted(growth)].filter(Boolean).join("; "));
 };
 const fitted = growth => {
   if (!growth || (growth.untimed && !growth.sizes)) return "";
@@ -147,19 +153,30 @@ const fitted = growth => {
     (growth.unfinished ? `; ${count(growth.unfinished)} unfinished rows` : "");
 };
 
+/** What the first screen's exponents are of: least and largest of the families, the interval that covers all, and the labels. */
+const exponentTable = setting => {
+  const rows = rowsOf("exponents").filter(row => row.setting === setting && !row.untimed), labels = [["Power law", "power"], ["With logarithm", "logarithm"], ["Apparent", "apparent"], ["Undecided", "undecided"]];
+  const value = (name, key) => ({name, value: row => row[key], show: row => row[key] === null ? "\u2013" : row[key].toFixed(2)});
+  return rows.length ? makeTable([{name: "Exponents", show: row => row.quantity}, value("Least", "least"), value("Largest", "largest"), value("Interval from", "low"), value("to", "high"),
+    ...labels.filter(([, key]) => rows.some(row => row[key] > 0)).map(([name, key]) => ({name, value: row => row[key], show: row => count(row[key])}))], rows) : null;
+};
+
+/** Bends per edge of a family at its largest n. */
+const lastBends = curve => rowsOf("bends_by_n").findLast(row => row.curve === curve)?.median ?? null;
+
 const growthTable = rows => {
-  const of = quantity => row => growthOf(row.curve, quantity);
+  const of = quantity => row => growthOf(row.curve, quantity), isTimed = rows.some(row => of("drawing time")(row) && !of("drawing time")(row).untimed);
   const column = quantity => ({name: quantity[0].toUpperCase() + quantity.slice(1), css: "note", value: row => of(quantity)(row)?.exponent ?? null, show: row => exponentCell(of(quantity)(row))});
   const grown = rows.filter(row => of("longest side")(row) || of("drawing time")(row));
   if (!grown.length) return null;
   return folded("Growth, and how sure it is", rows.length <= kMostOpenRows, element("p", {class: "muted"},
     "Exponent a of n^a over the fitted sizes, with its 95 % interval and its label; the interval of a power law covers larger n, too. Volume is the number of lattice points of the box, " +
-    "here also at the largest n as its share of the theorem's own box, and over what any drawing with this guarantee needs."), makeTable([
+    "here also at the largest n as its share of the theorem's own box, and over what any drawing with this guarantee needs. Bends per edge are those at the largest n."), makeTable([
     {name: "Family", show: row => row.label}, column("longest side"), column("volume"),
     {name: "Share of the theorem's", value: row => row.volume_share, show: row => percent(row.volume_share)},
     {name: "Over the least", value: row => row.volume_over_least, show: row => number(row.volume_over_least)},
-    column("drawing time"), {name: "Growth of the time", css: "note", show: row => timeLabel(of("drawing time")(row))},
-    {name: "Fit of the time", css: "note", show: row => element("small", {}, fitted(of("drawing time")(row)))},
+    {name: "Bends per edge", value: row => lastBends(row.curve), show: row => number(lastBends(row.curve))},
+    ...isTimed ? [column("drawing time"), {name: "Why, and the fit of the time", css: "note", show: row => timeLabel(of("drawing time")(row))}] : [],
   ], grown, row => ({"data-f": row.curve})));
 };
 
@@ -172,12 +189,13 @@ const highlight = (section, input, curves, state) => {
 };
 
 const settingSection = (row, setting) => {
-  const curves = shownCurves(setting), state = {chosen: null}, id = "a" + setting, quantities = rowsOf("exponents").filter(one => one.setting === setting && !one.untimed);
-  const figures = quantities.filter(one => rowsOf("figures").some(about => about.setting === setting && about.quantity === one.quantity))
-    .map(one => figure(() => growthChart(setting, one.quantity, state.chosen), {class: "growth"}));
+  const curves = shownCurves(setting), state = {chosen: null}, id = "a" + setting, quantities = rowsOf("figures").filter(one => one.setting === setting);
+  const figures = quantities.map(one => figure(() => growthChart(setting, one.quantity, state.chosen), {class: "growth"}));
+  if (rowsOf("bands").some(one => one.setting === setting && one.quantity === "bends per edge")) figures.push(figure(() => bendsByNChart(setting, state.chosen), {class: "growth"}));
+  const hasBound = quantities.some(one => one.beyond === null && rowsOf("bound_lines").some(line => line.setting === setting && line.quantity === one.quantity));
   if (rowsOf("volume_bands").some(one => one.setting === setting)) figures.push(figure(() => bandChart(setting)));
   const growth = figures.length ? [element("div", {class: "figures"}, figures), element("p", {class: "muted"},
-    "Band and thick line: least, median and largest of the families' medians. Lines: families, named at their end. Dashed: the theorem's bound.")] : [];
+    "Band and thick line: least, median and largest of the families' medians. Lines: families, named at their end." + (hasBound ? " Dashed: the theorem's bound." : "")), exponentTable(setting)] : [];
   const input = element("input", {type: "search", class: "filter", placeholder: "part of a name", list: id + "-families"});
   const section = element("section", {id, class: "setting", "data-nav": row.setting}, element("h2", {}, row.setting),
     row.theorem ? element("p", {}, `Theorem's box: ${row.theorem}.`, element("br"), `Published box: ${row.published || "none"}.`) : null,

@@ -1,13 +1,14 @@
 // What accuracy costs: misses of real types, predicted and seen, certificates, levels of detail, efforts.
-import {byId, count, distinct, duration, element, firstOf, grouped, number, percent, raised, rowsOf} from "./values.js";
+import {byId, count, distinct, duration, element, firstOf, grouped, number, percent, raised, rowsOf, shortName} from "./values.js";
 import {folded, makeTable, withSmall} from "./tables.js";
 import {colour, figure} from "./charts.js";
 import {effortChart, effortTable} from "./compared.js";
 import {realStudy} from "./real.js";
 
+const kLimits10 = [-30, -27, -24, -21, -18, -15, -12, -9, -6, -3, -2, -1], kMostOpenRates = 80;
 const kMostSentences = 40, kMostOpenLevels = 24, kMostPoints = 3000;
 let made;
-const real = () => made ??= realStudy(rowsOf("real_drawings"), rowsOf("bounds"), rowsOf("graphs"));
+const real = () => made ??= realStudy(rowsOf("real_drawings"), rowsOf("bounds"), rowsOf("curves"));
 const typeName = type => real().types[type].type;
 const limitText = limit => limit === 1 ? "1" : "10" + raised(Math.round(Math.log10(limit)));
 
@@ -26,16 +27,43 @@ const missChart = unit => {
 
 const accuracyChart = () => {
   const rows = real().accuracies.filter(row => row.time !== null && row.miss > 0), last = Math.max(...rows.map(row => row.n));
-  return {file: "accuracy-against-time", title: "What accuracy costs", note: real().family + ": medians, a line of types for each n; dashed: nothing is faster and more accurate",
+  const misses = rows.map(row => row.miss), ends = [Math.min(...misses), Math.max(...misses)], exact = real().compared.find(at => at.family === real().family && at.n === last)?.exact ?? [];
+  return {file: "accuracy-against-time", title: "What accuracy costs", note: real().family + ": medians, a line of types for each n; dashed: nothing is faster and more accurate" +
+    (exact.length ? `; upright lines: exact integers at n = ${count(last)}, which miss nothing` : ""),
     x: {title: "drawing time a vertex", format: "seconds"}, y: {title: "largest miss in degrees", format: "power"},
-    lines: [...grouped(rows, row => row.n)].map(([n, those]) => ({name: `front at n = ${n}`, css: "front", stroke: "var(--muted)", dash: "3 3", width: 1.2, curve: "step-after",
-      points: those.filter(row => row.front).sort((a, b) => a.time - b.time).map(row => ({x: row.time, y: row.miss}))})),
+    lines: [...exact.map(({setting, time}) => ({name: shortName(setting) + ", exact", label: shortName(setting), css: "exact", stroke: colour(setting), width: 1.4, points: ends.map(y => ({x: time, y}))})),
+      ...[...grouped(rows, row => row.n)].map(([n, those]) => ({name: `front at n = ${n}`, css: "front", stroke: "var(--muted)", dash: "3 3", width: 1.2, curve: "step-after",
+      points: those.filter(row => row.front).sort((a, b) => a.time - b.time).map(row => ({x: row.time, y: row.miss}))}))],
     symbols: rows.map(row => ({name: `${typeName(row.type)} at n = ${row.n}`, label: row.n === last ? typeName(row.type) : "", fill: colour(row.type), points: [{x: row.time, y: row.miss}]}))};
 };
-const accuracyTable = () => folded("Time and miss", true, element("p", {class: "muted"}, `Medians over the drawings of ${real().family}. CPU times are of the metrics phase, where rows ran beside others; ` +
-  "times are ranked and drawn where a timing phase measured them."), makeTable([{name: "Type", show: row => typeName(row.type)}, {name: "n", value: row => row.n, show: row => count(row.n)},
-  {name: "Largest miss, degrees", value: row => row.miss, show: row => number(row.miss)}, {name: "CPU time a vertex", value: row => row.cpu, show: row => duration(row.cpu)},
-  {name: "Drawing time a vertex", value: row => row.time, show: row => row.time === null ? "not timed" : duration(row.time)}], real().accuracies));
+const missCell = point => {
+  if (!point) return "\u2013";
+  const time = point.time ?? point.cpu;
+  return withSmall(number(point.largest, 2), time === null ? "" : duration(time));
+};
+/** Family × n × type: the largest miss and (grey) the time a vertex; beside them the exact algorithms on the same graphs. */
+const accuracyTable = () => {
+  const rows = real().compared, isTimed = rows.some(row => row.types.some(one => one.time !== null)), settings = distinct(rows.flatMap(row => row.exact.map(one => one.setting)));
+  const of = type => row => row.types.find(one => one.type === type);
+  return folded("Largest miss and time by family, n and type", rows.length <= kMostOpenRates, element("p", {class: "muted"}, "Largest miss of an angle in degrees over the drawings, and (grey) the " +
+    `${isTimed ? "drawing time of the timing phase" : "CPU time of the metrics phase, where rows ran beside others,"} a vertex. log2 C is what the family's condition costs at its largest n: the number of bits that angles lose.`),
+  makeTable([{name: "Family", show: row => row.family}, {name: "n", value: row => row.n, show: row => count(row.n)},
+    ...real().types.map((type, i) => ({name: type.type, value: row => of(i)(row)?.largest ?? null, show: row => missCell(of(i)(row))})),
+    ...settings.map(setting => ({name: `${shortName(setting)}, exact`, value: row => row.exact.find(one => one.setting === setting)?.time ?? null, show: row => {
+      const own = row.exact.find(one => one.setting === setting);
+      return own ? withSmall("0", duration(own.time)) : "\u2013";
+    }})), {name: "log2 C", value: row => real().bits_lost.get(row.family), show: row => number(real().bits_lost.get(row.family))}], rows));
+};
+
+/** What follows from the drawings, a sentence a type. */
+const conclusionList = () => element("ul", {id: "accuracy"}, real().conclusions.map(row => {
+  const limit = miss => `10${raised(kLimits10.find(power => miss <= 10 ** power))} degrees`, where = `n = ${count(row.worst_n)} of ${row.worst_family}`;
+  const isRight = row.held_n === row.last_n, broken = row.broken ? `, and ${count(row.broken)} of ${count(row.drawings)} drawings ${row.broken === 1 ? "is" : "are"} broken` : "";
+  const held = row.held_n === null ? "" : `is right to ${limit(row.held_miss)} in all drawings up to n = ${count(row.held_n)}${isRight ? `, its largest: it misses most, ${number(row.miss, 2)}, at ${where}` : "; beyond, it "}`;
+  const right = held + (isRight ? "" : `misses ${Number.isFinite(row.miss) ? `${number(row.miss, 2)} degrees` : "more than can be told"} at ${where}`);
+  return element("li", {}, `${typeName(row.type)} ${right}${broken}.`,
+    row.beside ? ` It takes ${number(row.beside.ratio, 2)} times as long as ${shortName(row.beside.setting)}, which draws ${row.beside.family} at n = ${count(row.beside.n)} in exact integers and misses nothing.` : "");
+}));
 
 const placeText = (row, what) => ({inside: "n = " + count(row[what]), beyond: "n beyond " + count(row.last_n), least: "the least n, " + count(row.first_n)})[row[what + "_at"]];
 const kVerdictCss = {confirmed: "pass", refuted: "violated", open: "incomplete"};
@@ -76,14 +104,6 @@ const shareTable = () => {
       real().shares));
 };
 
-const familyTable = () => {
-  const families = [...grouped(real().largest, row => row.family).values()], of = (family, type) => family.find(row => row.type === type);
-  return folded("Families", true, element("p", {class: "muted"}, "Largest miss in degrees over the graphs of the largest n, by type; C is the median condition, log2 of which is the number of bits that angles lose."),
-    makeTable([{name: "Family", show: family => family[0].family}, {name: "n", value: family => family[0].n, show: family => count(family[0].n)},
-      ...real().types.map((type, i) => ({name: type.type, value: family => of(family, i)?.miss ?? null, show: family => number(of(family, i)?.miss, 2)})),
-      {name: "log2 C", value: family => family[0].bits_lost, show: family => number(family[0].bits_lost)}], families));
-};
-
 const realPart = () => {
   const about = real(), types = about.medians, leftOut = firstOf("precision").left_out;
   if (!about.drawings) return [];
@@ -93,7 +113,21 @@ const realPart = () => {
   about.predictors > 0 ? element("p", {}, "A coordinate rounded to p bits turns an angle by about \u03ba 2", element("sup", {}, "\u2212p"),
     ` C radians, C being the drawing's condition. From ${count(about.predictors)} drawings in ${about.model}: ` +
     `\u03ba has the median ${number(about.kappa, 2)}, and eight in ten lie between ${number(about.kappa_low, 2)} and ${number(about.kappa_high, 2)}. What the other types miss is predicted with these.`) : null,
-  element("div", {class: "figures"}, charts.filter(Boolean).map(chart => figure(chart))), accuracyTable(), onsetPart(), shareTable(), familyTable()];
+  conclusionList(), element("div", {class: "figures"}, charts.filter(Boolean).map(chart => figure(chart))), accuracyTable(), onsetPart(), shareTable()];
+};
+
+/** Programs of the user's own, whose coordinates are judged as they write them: floats and doubles, too. */
+const programPart = () => {
+  const inRealTypes = new Set(rowsOf("real_drawings").map(row => rowsOf("bounds")[row.curve].setting)), metrics = rowsOf("metrics").map(row => row.metric);
+  const programs = rowsOf("settings").map((row, setting) => ({...row, place: setting})).filter(row => row.own_unit && row.drawn > 0 && !inRealTypes.has(row.place));
+  if (!programs.length) return [];
+  const of = (row, metric) => rowsOf("metric_values").find(one => one.setting === row.place && one.metric === metrics.indexOf(metric));
+  const column = (name, metric, key, show) => ({name, value: row => of(row, metric)?.[key] ?? null, show: row => of(row, metric) ? show(of(row, metric)[key]) : "\u2013"});
+  return [element("h3", {}, "Programs"), element("p", {}, "The coordinates of these programs are judged exactly as they are written, whatever type they were computed in. " +
+    "Graphs of the largest n; an edge is optimal if all its angles are at least the best that exist."),
+    makeTable([{name: "Program", show: row => shortName(row.place)}, {name: "n", value: row => of(row, "crossings")?.n ?? null, show: row => count(of(row, "crossings")?.n)},
+      column("Least angle at a vertex", "smallest_vertex_angle", "least", value => number(value, 6)), column("at a bend", "smallest_bend_angle", "least", value => number(value, 6)),
+      column("Optimal edges, median", "optimal_edges", "median", count), column("Crossings, most", "crossings", "largest", count)], programs)];
 };
 
 const spanCell = name => row => row[name] === null ? ["\u2013"] : withSmall(duration(row[name]), `${duration(row[name + "_low"])} \u2013 ${duration(row[name + "_high"])}`);
@@ -115,7 +149,7 @@ const levelPart = () => {
 };
 
 export const precisionSection = () => {
-  const parts = [realPart(), certificatePart(), levelPart()].flat();
+  const parts = [realPart(), programPart(), certificatePart(), levelPart()].flat(2);
   if (!parts.length) return;
   const section = byId("precision");
   section.hidden = false;

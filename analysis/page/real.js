@@ -3,6 +3,7 @@
 const kRealTypes = [["float", 24], ["double", 53], ["binary80", 64], ["binary128", 113], ["237 bits", 237]];
 const kLimits = [-12, -9, -6, -3, 0];  // decimal logarithms of degrees
 const kWithin = ["1e_12", "1e_9", "1e_6", "1e_3"];
+const kUsable = 0.1;  // degrees that a drawing may miss before one sees it
 const kMostSizes = 4;  // of the comparison of types
 const kLogDegrees = Math.log10(180 / Math.PI), kLog2 = Math.log10(2);
 
@@ -105,32 +106,54 @@ const shareRows = rows => byKey(rows, "n", of => byKey(of, "type", those => thos
   return made;
 }));
 
-/** By family and type: the largest miss among graphs of the family's largest n, and what the condition costs there. */
-const largestMisses = (rows, model) => byKey(rows, "family", those => those).flatMap(([family, those]) => {
-  const n = Math.max(...those.map(row => row.n)), last = those.filter(row => row.n === n);
-  const bits = medianOf(last.filter(row => row.type === model.type).map(row => row.logCondition)) / kLog2;
-  return byKey(last, "type", of => Math.max(...of.map(row => row.miss)))
-    .map(([type, miss]) => ({family, n, type, miss, bits_lost: orNull(bits)}));
-});
+/** By family: how many bits the condition costs at its largest n. */
+const bitsLost = (rows, model) => new Map(byKey(rows, "family", those => {
+  const n = Math.max(...those.map(row => row.n));
+  return orNull(medianOf(those.filter(row => row.n === n && row.type === model.type).map(row => row.logCondition)) / kLog2);
+}));
 
 /** At most so many of the items, evenly, the first and the last among them. */
 const evenly = (items, most) => items.length <= most ? items
   : Array.from({length: most}, (_, i) => items[Math.floor(i * (items.length - 1) / (most - 1))]);
-/** By n and type: median miss, and times a vertex; on the front if no other type is faster and more accurate there. */
-const accuracies = (rows, seconds) => evenly(byKey(rows, "n", those => those), kMostSizes).flatMap(([n, those]) => {
-  const perVertex = (of, time) => medianOf(of.map(row => (time(row) ?? NaN) / row.vertices));
-  const points = byKey(those, "type", of => ({n, miss: 10 ** medianMisses(of)[0][1], cpu: perVertex(of, row => row.cpu),
-    time: perVertex(of, row => seconds.get(row.row))})).map(([type, point]) => ({type, ...point}));
+/** Of the rows of one n, by type: median and largest miss, and times a vertex. */
+const typesAt = (n, rows, times) => byKey(rows, "type", of => ({n, miss: 10 ** medianMisses(of)[0][1], largest: Math.max(...of.map(row => row.miss)), drawings: of.length,
+  cpu: orNull(medianOf(of.map(row => (row.cpu ?? NaN) / row.vertices))), time: orNull(medianOf(of.map(row => times.get(`${row.curve} ${row.vertices}`) ?? NaN)))})).map(([type, point]) => ({type, ...point}));
+
+/** On the front if no other type is faster and more accurate at that n. */
+const accuracies = (rows, times) => evenly(byKey(rows, "n", those => those), kMostSizes).flatMap(([n, those]) => {
+  const points = typesAt(n, those, times);
   const beats = (one, other) => one.time <= other.time && one.miss <= other.miss && (one.time < other.time || one.miss < other.miss);
-  return points.map(point => ({...point, front: !Number.isNaN(point.time) && !points.some(other => beats(other, point)),
-    cpu: orNull(point.cpu), time: orNull(point.time)}));
+  return points.map(point => ({...point, front: point.time !== null && !points.some(other => other.time !== null && beats(other, point))}));
+});
+
+/** By family and n: the types, and the settings that draw the same graphs in exact integers with their times a vertex. */
+const comparisons = (rows, curves, times) => {
+  const inRealTypes = new Set(rows.map(row => curves[row.curve].setting)), exact = new Map();
+  for (const [place, curve] of curves.entries()) if (curve.ok > 0 && !inRealTypes.has(curve.setting)) exact.set(`${familyLabel(curve)} ${curve.setting}`, place);
+  const settings = [...new Set(curves.map(curve => curve.setting))].filter(setting => setting !== null && setting !== undefined);
+  return byKey(rows, "family", those => byKey(those, "n", of => of)).flatMap(([family, sizes]) => sizes.map(([n, of]) => ({family, n, types: typesAt(n, of, times),
+    exact: settings.map(setting => ({setting, time: times.get(`${exact.get(`${family} ${setting}`)} ${of[0].vertices}`) ?? null})).filter(one => one.time !== null)})));
+};
+
+/** What follows, for each type: the largest miss of all drawings and where, the largest n, and how much longer it takes than exact integers. */
+const conclusions = (rows, compared, types) => types.map((_, type) => {
+  const own = rows.filter(row => row.type === type), worst = own.reduce((a, b) => a.miss >= b.miss ? a : b), beside = compared.flatMap(at => {
+    const mine = at.types.find(one => one.type === type), fastest = at.exact.reduce((a, b) => a && a.time <= b.time ? a : b, null);
+    return mine?.time && fastest ? [{n: at.n, family: at.family, ratio: mine.time / fastest.time, setting: fastest.setting}] : [];
+  });
+  const sizes = byKey(own, "vertices", those => Math.max(...those.map(row => row.miss))), until = sizes.findIndex(([, miss]) => !(miss <= kUsable));
+  const held = until < 0 ? sizes : sizes.slice(0, until);
+  return {type, drawings: own.length, held_n: held.at(-1)?.[0] ?? null, held_miss: Math.max(...held.map(([, miss]) => miss)),
+    broken: own.filter(row => row.broken).length, miss: worst.miss, worst_family: worst.family, worst_n: worst.vertices,
+    last_n: Math.max(...own.map(row => row.vertices)),
+    beside: beside.sort((a, b) => a.n - b.n).at(-1) ?? null};
 });
 
 /**
  * All that the page says of the drawings.
- * @param stored  rows of the table real_drawings. @param curves  of bounds. @param graphs  of graphs, which hold drawing times.
+ * @param stored  rows of the table real_drawings. @param curves  of bounds. @param lines  of curves, which hold drawing times over n.
  */
-export const realStudy = (stored, curves, graphs) => {
+export const realStudy = (stored, curves, lines) => {
   const settings = new Map(stored.map(row => realType(curves[row.curve])).map(type => [type.type, type]));
   const types = [...settings.values()].sort((a, b) => (a.bits || Infinity) - (b.bits || Infinity) || 0);
   const placeOf = new Map(types.map((type, i) => [type.type, i]));
@@ -141,6 +164,8 @@ export const realStudy = (stored, curves, graphs) => {
   const model = missModel(rows, types), onsets = allOnsets(rows, types, model), [low, middle, high] = model.kappa;
   const roundings = (logMiss, type) => types[type].bits ? 10 ** (logMiss - logRounding(types[type].bits)) : null;
   const conditions = model.drawings ? model.conditions.get(family) ?? [] : [];
+  const times = new Map(lines.filter(line => line.quantity === "drawing time").map(line => [`${line.curve} ${line.n}`, line.median * line.divisor / line.n]));
+  const compared = comparisons(rows, curves, times);
   const count = verdict => onsets.filter(onset => onset.verdict === verdict).length;
   return {types, onsets, drawings: rows.length, broken: rows.filter(row => row.broken).length, family, model: types[model.type]?.type,
     predictors: model.drawings, kappa: 10 ** middle, kappa_low: 10 ** low, kappa_high: 10 ** high,
@@ -149,6 +174,5 @@ export const realStudy = (stored, curves, graphs) => {
     medians: byKey(shown, "type", medianMisses).flatMap(([type, values]) =>
       values.map(([n, miss]) => ({type, n, miss: 10 ** miss, roundings: roundings(miss, type)}))),
     predicted: conditions.map(([n, c]) => ({n, low: 10 ** (low + c), median: 10 ** (middle + c), high: 10 ** (high + c)})),
-    shares: shareRows(rows), largest: largestMisses(rows, model),
-    accuracies: accuracies(shown, new Map(graphs.map(graph => [graph.row, graph.seconds])))};
+    shares: shareRows(rows), compared, conclusions: conclusions(rows, compared, types), bits_lost: bitsLost(rows, model), accuracies: accuracies(shown, times)};
 };

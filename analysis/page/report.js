@@ -1,9 +1,11 @@
 // The report: its first screen at once, then its sections, then its figures.
-import {byId, change, count, element, fill, firstOf, grouped, number, percent, rowsOf, settingName} from "./values.js";
+import {byId, change, count, element, fill, firstOf, grouped, number, percent, rowsOf, settingName, shortName} from "./values.js";
 import {fillNavigation, folded, makeTable, withSmall} from "./tables.js";
 import {drawFigures} from "./charts.js";
 import {graphButton, graphText, listen} from "./graphs.js";
-import {exponentCell, exponentRange, settingSections, violations} from "./growth.js";
+import {answersPart} from "./answers.js";
+import {turningPart} from "./turning.js";
+import {exponentCell, settingSections, violations} from "./growth.js";
 import {collectionSections, scalingSection, tradeSection} from "./compared.js";
 import {precisionSection} from "./precision.js";
 
@@ -48,7 +50,8 @@ const closestPart = () => {
     return;
   }
   byId("closest").append("The closest to a bound is ", graphButton(closest.closest_row, `${closest.setting} on ${closest.closest_family}, ${graphText(closest.closest_row, closest.closest_n)}`),
-    `: its ${closest.closest_axis} extent is ${count(closest.closest_extent)} of ${number(closest.closest_bound, 6)}, `, element("b", {}, percent(closest.share)), " of what the theorem allows.");
+    `: its ${closest.closest_axis} extent is ${count(closest.closest_extent)} of ${(closest.closest_bound < 1000 ? number : count)(closest.closest_bound, 6)}, `,
+  element("b", {}, percent(closest.share)), " of what the theorem allows.");
 };
 
 const findingsPart = () => {
@@ -67,16 +70,17 @@ const frontPart = () => {
   if (!settings.length) return;
   const exponent = (name, quantity) => {
     const of = row => exponents.find(one => one.setting === row.place && one.quantity === quantity);
-    return {name, css: "growth", value: row => of(row)?.largest ?? null, show: row => exponentRange(of(row))};
+    if (!exponents.some(one => one.quantity === quantity && !one.untimed)) return null;
+    return {name, value: row => of(row)?.largest ?? null, show: row => of(row) && of(row).largest !== null ? of(row).largest.toFixed(2) : "\u2013"};
   };
-  const column = (name, key) => ({name, value: row => row[key], show: row => count(row[key])});
-  showSection("closeness", makeTable([{name: "Setting", show: row => element("a", {href: "#a" + row.place}, row.setting)},
+  const column = (name, key) => ({name, value: row => row[key], show: row => count(row[key])}), bands = grouped(rowsOf("bands").filter(row => row.quantity === "bends per edge"), row => row.setting);
+  const bends = row => bands.has(row.place) ? Math.max(...bands.get(row.place).map(at => at.largest)) : null;
+  showSection("closeness", makeTable([{name: "Setting", show: row => element("a", {href: "#a" + row.place}, shortName(row.place))},
     {name: "Share", value: row => row.share, show: row => percent(row.share)},
     {name: "Closest graph", css: "note", show: row => row.closest_row === null ? "\u2013" : graphButton(row.closest_row, `${row.closest_family}, ${graphText(row.closest_row, row.closest_n)}`)},
-    column("Families", "families"),
-    {name: "Graphs", value: row => row.drawn, show: row => row.drawn === row.graphs ? count(row.graphs) : `${count(row.drawn)} of ${count(row.graphs)}`},
-    column("Largest n", "largest_n"), {name: "Violations", value: row => row.violations, show: violations},
-    exponent("Side ~ n^a", "longest side"), exponent("Volume ~ n^a", "volume"), exponent("Time ~ n^a", "drawing time")], settings.map((row, place) => ({...row, place}))));
+    column("Families", "families"), column("Graphs", "drawn"), column("Largest n", "largest_n"), {name: "Violations", value: row => row.violations, show: violations},
+    {name: "Bends", value: bends, show: row => number(bends(row))}, exponent("Side n^a", "longest side"), exponent("Volume n^a", "volume"), exponent("Time n^a", "drawing time")].filter(Boolean),
+  settings.map((row, place) => ({...row, place}))));
   const promises = rowsOf("promises");
   if (!promises.length) return;
   const text = value => value ?? "\u2013";
@@ -156,6 +160,7 @@ skippedPart();
 sincePart();
 listen();
 const rest = () => {
+  answersPart();
   collectionSections();
   tradeSection();
   precisionSection();
@@ -165,5 +170,6 @@ const rest = () => {
   fillNavigation();
   if (location.hash) document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
   drawFigures();
+  setTimeout(turningPart, 0);
 };
 addEventListener("DOMContentLoaded", () => requestAnimationFrame(() => setTimeout(rest, 0)));

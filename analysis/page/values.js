@@ -1,6 +1,8 @@
 // The tables of the page, elements, and numbers as people read them. What a results file says is text here, never markup.
 "use strict";
 
+import {realType} from "./real.js";
+
 const stored = JSON.parse(document.getElementById("tables").textContent).tables;
 const read = new Map();
 
@@ -96,5 +98,15 @@ export const range = (low, high, digits = 2) => {
   return first === last ? first : `${first} \u2013 ${last}`;
 };
 export const interval = (low, high, digits = 3) => isMissing(low) ? "" : `[${low.toFixed(digits)}, ${high.toFixed(digits)}]`;
+/** "", "2nd ", "3rd ": a rank before what it is of. */
+export const ordinal = rank => rank === 1 ? "" : rank + (["th", "st", "nd", "rd"][rank % 100 > 10 && rank % 100 < 14 ? 0 : rank % 10] ?? "th") + " ";
+/** "15", or "15 – 31" of sizes that stand together. */
+export const span = row => row.first_n === row.last_n ? count(row.first_n) : `${count(row.first_n)} \u2013 ${count(row.last_n)}`;
 /** The name of a row of the table settings. */
 export const settingName = setting => rowsOf("settings")[setting].setting;
+/** The same without options where the algorithm has only this setting; with the name of its real type. */
+export const shortName = setting => {
+  const {algorithm} = rowsOf("settings")[setting], curve = rowsOf("bounds").find(row => row.setting === setting);
+  if (curve && realType(curve).bits) return `${algorithm} (${realType(curve).type})`;
+  return rowsOf("settings").filter(row => row.algorithm === algorithm).length > 1 ? settingName(setting) : algorithm;
+};

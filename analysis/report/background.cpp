@@ -114,14 +114,51 @@ void add_metrics(TableMaker& make) {
   }
 }
 
+/// Returns how many threads could run at the same time where the study was made; 0: not known.
+std::int64_t cores_of(const std::vector<EnvironmentEntry>& environment) {
+  std::int64_t cores = 0;
+  for (const EnvironmentEntry& entry : environment) {
+    if (entry.name == "affinity" && std::isdigit(static_cast<unsigned char>(entry.value[0])) != 0)
+      cores = std::ranges::count(entry.value, ',') + 1;
+  }
+  for (const EnvironmentEntry& entry : environment) {
+    if (entry.name != "cpu_quota") continue;
+    cores = std::min(cores, static_cast<std::int64_t>(std::ceil(std::atof(entry.value.c_str()))));
+  }
+  return cores;
+}
+
+/// The part of the work that is not shared, by the law of Amdahl (1967), of a batch that took so
+/// many times its ideal time.
+double serial_part(double slower, double sharers) { return (slower - 1) / (sharers - 1); }
+
 void add_scaling(TableMaker& make) {
   Table& table = make.table("scaling");
+  const std::int64_t cores = cores_of(make.analysis.rows.environment());
   for (const auto& [key, batch] : make.analysis.tally.batches) {
-    const double efficiency = median(batch.efficiency);
-    table.add({key.algorithm, is_strong(key.phase) ? "strong" : "weak",
-               is_over_ranks(key.phase) ? "ranks" : "threads", key.family, key.n, key.sharers,
-               median(batch.batch_s), median(batch.ideal_s), efficiency,
-               efficiency * static_cast<double>(key.sharers)});
+    const auto sharers = static_cast<double>(key.sharers);
+    const double batch_s = median(batch.batch_s), ideal_s = median(batch.ideal_s);
+    const auto [low, high] = median_interval(batch.batch_s);
+    std::vector<TableCell> row = {key.algorithm,
+                                  is_strong(key.phase) ? "strong" : "weak",
+                                  is_over_ranks(key.phase) ? "ranks" : "threads",
+                                  key.family,
+                                  key.n,
+                                  key.sharers,
+                                  batch_s,
+                                  ideal_s,
+                                  ideal_s / batch_s,
+                                  ideal_s / batch_s * sharers,
+                                  low,
+                                  high,
+                                  !is_over_ranks(key.phase) && cores > 0 && key.sharers > cores};
+    if (is_strong(key.phase) && key.sharers > 1) {
+      for (const double seconds : {batch_s, low, high}) {
+        row.emplace_back(serial_part(seconds / ideal_s, sharers));
+      }
+    }
+    row.resize(table.columns.size());
+    table.add(std::move(row));
   }
 }
 

@@ -247,20 +247,17 @@ void add_pairs(TableMaker& make, const Collection& of, std::size_t measure,
 void add_bins(const Collection& of, std::size_t measure, Table& table) {
   std::set<std::int64_t> all_n;
   for (const auto& [key, drawn] : of.graphs) all_n.insert(size_of(drawn));
-  for (const auto& [first, last] : size_bins(all_n, kMostBins)) {
+  for (const auto& [first, last, n] : size_bins(all_n, kMostBins)) {
     std::map<std::size_t, std::vector<double>> values;
-    std::vector<double> sizes;
     for (const auto& [key, drawn] : of.graphs) {
-      const std::int64_t n = size_of(drawn);
-      if (n < first || n > last) continue;
-      sizes.push_back(static_cast<double>(n));
+      if (size_of(drawn) < first || size_of(drawn) > last) continue;
       for (const auto& [setting, drawing] : drawn) {
         const double value = drawing.logs[measure];
         if (!std::isnan(value)) values[setting].push_back(value);
       }
     }
     for (auto& [setting, logs] : values) {
-      table.add({of.family, kCompared[measure].name, of.settings[setting].first, median(sizes),
+      table.add({of.family, kCompared[measure].name, of.settings[setting].first, n,
                  kCompared[measure].value(median(std::move(logs)))});
     }
   }

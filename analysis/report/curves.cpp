@@ -19,17 +19,16 @@ constexpr std::size_t kMostBinsOfALine = 16;
 
 double log_n(std::int64_t n) { return std::log(static_cast<double>(n)); }
 
-/// The sizes of a collection in bins on a logarithmic scale: values are moved along n^order to the
-/// middle of their bin, so that a figure that divides by it shows what it showed.
+/// The sizes of a collection in bins on a logarithmic scale: values are moved along n^order to one n
+/// of their bin, so that a figure that divides by it shows what it showed.
 std::vector<SizeSample> binned(const std::vector<SizeSample>& all, double order) {
   std::set<std::int64_t> sizes;
   for (const SizeSample& size : all) sizes.insert(size.n);
   std::vector<SizeSample> samples;
   auto next = all.begin();
-  for (const auto& [first, last] : size_bins(sizes, kMostBinsOfALine)) {
+  for (const auto& [first, last, n] : size_bins(sizes, kMostBinsOfALine)) {
     SizeSample& sample = samples.emplace_back();
-    sample.n = sample.requested_n =
-        std::llround(std::sqrt(static_cast<double>(first) * static_cast<double>(last)));
+    sample.n = n;
     for (; next != all.end() && next->n <= last; ++next) {
       const double moved = order * (log_n(sample.n) - log_n(next->n));
       if (std::isnan(sample.log_bound)) sample.log_bound = next->log_bound + moved;
@@ -79,23 +78,19 @@ void add_lines(const Figure& figure, std::size_t most_sizes, Table& table) {
   }
 }
 
-/// The families' medians by requested n.
-void add_band(const Figure& figure, Table& table) {
-  std::map<std::int64_t, std::vector<double>> band;
+/// The families' medians by bins of n.
+void add_band_of(const Figure& figure, TableMaker& make) {
+  std::map<std::int64_t, std::map<std::size_t, std::vector<double>>> band;
   for (const auto& [curve, sizes] : figure.lines) {
     for (const SizeSample& size : sizes) {
-      band[std::max<std::int64_t>(1, size.requested_n)].push_back(figure.middle(size));
+      band[bin_of(make.bins, size.n).n][curve->place].push_back(figure.middle(size));
     }
   }
-  for (const auto& [n, values] : band) {
-    const auto [least, largest] = std::ranges::minmax(values);
-    table.add({figure.setting, name_of(figure.quantity), n, values.size(), least, median(values),
-               largest});
-  }
+  add_band(make, figure.setting, name_of(figure.quantity), band);
 }
 
 /// The theorem's bound by n, and how far above all data it lies.
-void add_bound(const Figure& figure, Table& bounds, Table& figures) {
+void add_bound(const Figure& figure, const Section& section, Table& bounds, Table& figures) {
   std::map<std::int64_t, double> bound;
   double nearest = std::numeric_limits<double>::infinity(), top = 0;
   std::set<std::string> families;
@@ -108,8 +103,8 @@ void add_bound(const Figure& figure, Table& bounds, Table& figures) {
   }
   for (const auto& [n, value] : bound) nearest = std::min(nearest, value);
   const bool is_far = std::log10(nearest / top) > kFarBound;  // also without a bound
-  figures.add({figure.setting, name_of(figure.quantity), figure.order, count_families(families),
-               is_far ? nearest / top : kMissing});
+  figures.add({figure.setting, name_of(figure.quantity), unit_of(section, figure.quantity),
+               figure.order, count_families(families), is_far ? nearest / top : kMissing});
   const std::vector<std::pair<std::int64_t, double>> all(bound.begin(), bound.end());
   for (const auto& [n, value] : evenly(all, 60)) {
     bounds.add({figure.setting, name_of(figure.quantity), n, value});
@@ -160,7 +155,7 @@ void add_volume_bands(TableMaker& make) {
     std::map<std::int64_t, std::array<std::vector<double>, 3>> bands;
     for (const auto& [curve, sizes] : figure.lines) {
       for (const SizeSample& size : curve->growth(Quantity::volume)->all) {
-        auto& [least, drawn, most] = bands[std::max<std::int64_t>(1, size.requested_n)];
+        auto& [least, drawn, most] = bands[bin_of(make.bins, size.n).n];
         drawn.push_back(figure.middle(size));
         if (!std::isnan(size.log_bound)) most.push_back(figure.over(size, size.log_bound));
         for (const DrawnGraph& graph : curve->tally->sizes.at(size.n).graphs) {
@@ -179,6 +174,18 @@ void add_volume_bands(TableMaker& make) {
 
 }  // namespace
 
+void add_band(TableMaker& make, std::size_t setting, const char* quantity,
+              const std::map<std::int64_t, std::map<std::size_t, std::vector<double>>>& values) {
+  for (const auto& [n, curves] : values) {
+    const SizeBin& bin = bin_of(make.bins, n);
+    std::vector<double> medians;
+    for (const auto& [curve, of_curve] : curves) medians.push_back(median(of_curve));
+    const auto [least, largest] = std::ranges::minmax(medians);
+    make.table("bands").add({setting, quantity, bin.n, medians.size(), least, median(medians),
+                             largest, bin.first, bin.last});
+  }
+}
+
 void add_curves(TableMaker& make) {
   // How much a page may hold: points of a size, and sizes of a line.
   const std::vector<CurveTally>& tallies = make.analysis.tally.curves;
@@ -189,18 +196,18 @@ void add_curves(TableMaker& make) {
   const double share = kLineBudget / std::max(1.0, static_cast<double>(tallies.size()));
   const auto most_sizes = static_cast<std::size_t>(std::clamp(share, 12.0, 200.0));
   Table& curves = make.table("curves");
-  Table& bands = make.table("bands");
   Table& bounds = make.table("bound_lines");
   Table& figures = make.table("figures");
-  std::vector<Quantity> shown = {Quantity::longest_side, Quantity::volume, Quantity::wall_s};
-  if (make.all) shown.assign(kQuantities.begin(), kQuantities.end());
   for (std::size_t i = 0; i < make.sections.size(); ++i) {
+    std::vector<Quantity> shown = {nearest_side(make.sections[i]), Quantity::volume,
+                                   Quantity::wall_s};
+    if (make.all) shown.assign(kQuantities.begin(), kQuantities.end());
     for (const Quantity quantity : shown) {
       const Figure figure = figure_of(make, i, quantity);
       if (figure.lines.empty()) continue;
       add_lines(figure, make.all ? figure.lines.size() + 100000 : most_sizes, curves);
-      add_band(figure, bands);
-      add_bound(figure, bounds, figures);
+      add_band_of(figure, make);
+      add_bound(figure, make.sections[i], bounds, figures);
     }
   }
   add_points(make, most_points);

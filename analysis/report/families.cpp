@@ -54,7 +54,8 @@ void add_page_cells(const SectionCurve& curve, const ShowCommand& show,
 
 /// Returns which lines a figure names: all if they are few, else those with the largest and the
 /// least last values. By curve: 1, 2, …
-std::map<std::size_t, std::size_t> named_lines(const Section& section, Quantity quantity) {
+std::map<std::size_t, std::size_t> named_lines(const Section& section, Quantity quantity,
+                                               const std::vector<SizeBin>& bins) {
   struct Line {
     std::size_t place;
     std::int64_t last_n;
@@ -67,9 +68,9 @@ std::map<std::size_t, std::size_t> named_lines(const Section& section, Quantity 
     const ScalingEntry* entry = curve.growth(quantity);
     if (entry == nullptr || entry->reason == kUntimed) continue;
     const SizeSample& last = entry->all.back();
-    lines.push_back({curve.place, last.requested_n,
+    lines.push_back({curve.place, bin_of(bins, last.n).n,
                      median(last.log_values()) - order * std::log(static_cast<double>(last.n))});
-    largest = std::max(largest, last.requested_n);
+    largest = std::max(largest, lines.back().last_n);
   }
   if (lines.size() > kAllNamed) {
     std::ranges::copy_if(lines, std::back_inserter(to_the_end),
@@ -116,14 +117,11 @@ void add_growth_row(const ScalingEntry& entry, std::size_t curve, std::size_t na
 
 void add_shares(TableMaker& make) {
   Table& table = make.table("shares");
+  const std::vector<SizeBin> bins = bins_of_study(make.sections, kMostShareBins);
   for (std::size_t i = 0; i < make.sections.size(); ++i) {
-    std::set<std::int64_t> sizes;
-    for (const SectionCurve& curve : make.sections[i].shown) {
-      for (const auto& [n, graph] : worst_by_size(*curve.tally)) sizes.insert(n);
-    }
     for (const SectionCurve& curve : make.sections[i].shown) {
       const auto shares = worst_by_size(*curve.tally);
-      for (const auto& [first, last] : size_bins(sizes, kMostShareBins)) {
+      for (const auto& [first, last, n] : bins) {
         const DrawnGraph* closest = nullptr;
         for (auto at = shares.lower_bound(first); at != shares.end() && at->first <= last; ++at) {
           if (closest == nullptr || at->second->share() > closest->share()) closest = at->second;
@@ -153,10 +151,12 @@ void add_bends(TableMaker& make) {
   }
 }
 
-/// The bends per edge of the graphs of every curve and n that have edges.
+/// The bends per edge of the graphs of every curve and n that have edges; over bins of n what a
+/// figure shows of them.
 void add_bends_by_n(TableMaker& make) {
   Table& table = make.table("bends_by_n");
   for (std::size_t i = 0; i < make.sections.size(); ++i) {
+    std::map<std::int64_t, std::map<std::size_t, std::vector<double>>> bands;  // by bin, by curve
     for (const SectionCurve& curve : make.sections[i].shown) {
       for (const auto& [n, size] : curve.tally->sizes) {
         std::vector<double> bends;
@@ -166,9 +166,12 @@ void add_bends_by_n(TableMaker& make) {
         }
         if (bends.empty()) continue;
         const auto [least, largest] = std::ranges::minmax(bends);
-        table.add({i, curve.place, n, bends.size(), least, median(bends), largest});
+        const double middle = median(bends);
+        table.add({i, curve.place, n, bends.size(), least, middle, largest});
+        bands[bin_of(make.bins, n).n][curve.place].push_back(middle);
       }
     }
+    if (!bands.empty()) add_band(make, i, kBendsPerEdge, bands);
   }
 }
 
@@ -202,9 +205,10 @@ void fill_growth(const StudyAnalysis& analysis, const std::vector<Section>& sect
     curve_of_key.emplace(analysis.tally.curves[i].key, i);
   }
   std::map<std::pair<std::size_t, Quantity>, std::size_t> named;
+  const std::vector<SizeBin> bins = bins_of_study(sections, kMostBinsOfStudy);
   for (const Section& section : sections) {
-    for (const Quantity quantity : {Quantity::longest_side, Quantity::volume, Quantity::wall_s}) {
-      for (const auto& [place, rank] : named_lines(section, quantity)) {
+    for (const Quantity quantity : {nearest_side(section), Quantity::volume, Quantity::wall_s}) {
+      for (const auto& [place, rank] : named_lines(section, quantity, bins)) {
         named[{place, quantity}] = rank;
       }
     }

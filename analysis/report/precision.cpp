@@ -12,14 +12,14 @@ namespace {
 constexpr std::size_t kMostLookedAt = 200000, kMostReal = 200000, kMostRealOfPage = 40000;
 constexpr std::size_t kMostJudged = 2000, kMostJudgedSizes = 16, kMostPointsOfCurve = 3000;
 
-/// Algorithm with its options, requested n, certificate and level.
+/// Algorithm with its options, n, certificate and level.
 using JudgedKey = std::tuple<std::string, std::int64_t, std::string, std::string>;
 /// By a vertex: seconds of drawing, storing and certifying, and bytes; then 1 if it is violated.
 using Costs = std::array<double, 5>;
 using Judged = std::map<JudgedKey, std::vector<Costs>>;
 
 void add_judgement(const RunRecord& run, Judged& judged) {
-  const JudgedKey key{algorithm_label({run.algorithm, run.options, {}, {}, {}}), run.requested_n,
+  const JudgedKey key{algorithm_label({run.algorithm, run.options, {}, {}, {}}), run.n,
                       asked_certificate(run), run.level.empty() ? "extents" : run.level};
   if (judged.size() == kMostJudged && !judged.contains(key)) return;
   const auto n = static_cast<double>(run.n);
@@ -41,7 +41,7 @@ Judged in_bins(Judged judged) {
   for (const auto& [key, costs] : judged) {
     JudgedKey binned = key;
     std::int64_t& n = std::get<1>(binned);
-    n = std::ranges::find_if(bins, [&](const SizeBin& bin) { return n <= bin.second; })->second;
+    n = std::ranges::find_if(bins, [&](const SizeBin& bin) { return n <= bin.last; })->last;
     std::ranges::copy(costs, std::back_inserter(merged[binned]));
   }
   return merged;
@@ -104,7 +104,8 @@ class RealDrawings {
       return;
     }
     rows_of_[family_label(curve->first)].push_back(row);
-    std::vector<TableCell> cells = {row,   curve->second, run.requested_n,
+    const std::int64_t about = bin_of(make_.bins, run.n).n;
+    std::vector<TableCell> cells = {row,   curve->second, about,
                                     run.n, value(miss_),  value(condition_)};
     for (const Column& within : within_) cells.emplace_back(value(within));
     cells.emplace_back(value(collapsed_) > 0 || value(crossings_) > 0);

@@ -19,6 +19,18 @@ void show_closest(Section& section) {
                        &SectionCurve::is_shown);
 }
 
+/// Of each bin's sizes the one nearest to its middle.
+void set_middles(const std::set<std::int64_t>& sizes, std::vector<SizeBin>& bins) {
+  const auto log_of = [](std::int64_t n) { return log10_of(std::max<std::int64_t>(1, n)); };
+  for (SizeBin& bin : bins) {
+    const double middle = (log_of(bin.first) + log_of(bin.last)) / 2;
+    const auto distance = [&](std::int64_t n) { return std::abs(log_of(n) - middle); };
+    for (auto at = sizes.find(bin.first); at != sizes.end() && *at <= bin.last; ++at) {
+      if (distance(*at) <= distance(bin.n)) bin.n = *at;
+    }
+  }
+}
+
 void name_families(std::vector<SectionCurve>& curves) {
   std::map<std::string, std::size_t> times;
   for (const SectionCurve& curve : curves) ++times[curve.name];
@@ -138,6 +150,8 @@ void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
       return text.empty() ? TableCell() : TableCell(text);
     };
     const auto drawing = drawings.find(row);
+    const double side =
+        curve == places.end() ? kMissing : over(nearest_side(sections[curve->second->setting]));
     std::vector<TableCell> cells = {
         row,
         noted.curve,
@@ -148,7 +162,7 @@ void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
         optional(noted.status),
         drawing == drawings.end() ? TableCell() : TableCell(drawing->second),
         noted.is_point,
-        over(Quantity::longest_side),
+        side,
         over(Quantity::volume),
         timed ? over(Quantity::wall_s) : kMissing,
         timed ? std::exp(graph.log_timed_s) : kMissing};
@@ -167,14 +181,26 @@ double order_of(const Section& section, Quantity quantity) {
   return section.theorem ? theorem_order(*section.theorem, quantity).value_or(without) : without;
 }
 
+const char* unit_of(const Section& section, Quantity quantity) {
+  if (quantity == Quantity::wall_s) return "s";
+  if (quantity != Quantity::volume) return "lattice units";
+  return section.has_own_unit ? "vertex distances³" : "lattice points";
+}
+
 std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve) {
   std::map<std::int64_t, const DrawnGraph*> shares;
   for (const auto& [n, size] : curve.sizes) {
-    if (size.drawn == 0 || std::isnan(size.closest.share())) continue;
-    const DrawnGraph*& at = shares[size.requested_n];
-    if (at == nullptr || size.closest.share() > at->share()) at = &size.closest;
+    if (size.drawn > 0 && !std::isnan(size.closest.share())) shares[n] = &size.closest;
   }
   return shares;
+}
+
+Quantity nearest_side(const Section& section) {
+  const SectionCurve& closest =
+      *std::ranges::min_element(section.curves, {}, &SectionCurve::least_slack);
+  const auto axis = worst_axis(*closest.tally);
+  return axis ? static_cast<Quantity>(static_cast<std::size_t>(Quantity::extent_x) + *axis)
+              : Quantity::longest_side;
 }
 
 Interval told_interval(const ScalingEntry& entry) {
@@ -205,11 +231,44 @@ std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t 
   for (const std::int64_t n : sizes) {
     const double place = (log10_of(std::max<std::int64_t>(1, n)) - low) / width;
     const std::size_t end = std::min(static_cast<std::size_t>(std::max(0.0, place)), most - 1) + 1;
-    if (sizes.size() <= most || end > end_of_last) bins.emplace_back(n, n);
-    bins.back().second = n;
+    if (sizes.size() <= most || end > end_of_last) bins.push_back({n, n, n});
+    bins.back().last = n;
     end_of_last = end;
   }
+  set_middles(sizes, bins);
   return bins;
+}
+
+std::vector<SizeBin> bins_of_study(const std::vector<Section>& sections, std::size_t most) {
+  std::set<std::int64_t> asked, sizes;
+  for (const Section& section : sections) {
+    for (const SectionCurve& curve : section.curves) {
+      for (const auto& [n, size] : curve.tally->sizes) {
+        if (size.drawn == 0) continue;
+        sizes.insert(n);
+        asked.insert(curve.is_collection ? n : size.requested_n);
+      }
+    }
+  }
+  const std::vector<SizeBin> around = size_bins(asked, most);
+  std::vector<SizeBin> bins;
+  std::size_t at = 0, last = around.size();
+  for (const std::int64_t n : sizes) {
+    while (at + 1 < around.size() &&
+           2 * log10_of(n) > log10_of(around[at].last) + log10_of(around[at + 1].first)) {
+      ++at;
+    }
+    if (at != last) bins.push_back({n, n, n});
+    bins.back().last = n, last = at;
+  }
+  set_middles(sizes, bins);
+  return bins;
+}
+
+const SizeBin& bin_of(const std::vector<SizeBin>& bins, std::int64_t n) {
+  const auto at = std::ranges::lower_bound(bins, n, {}, &SizeBin::last);
+  expect(at != bins.end() && at->first <= n, "every n that was drawn is in a bin");
+  return *at;
 }
 
 }  // namespace ar3d::report

@@ -43,6 +43,7 @@ struct Section {
   std::vector<SectionCurve> shown;   ///< at most kMostFamilies: those closest to the bound
 };
 inline constexpr std::size_t kFewestOfCollection = 20;
+inline constexpr std::size_t kMostBinsOfStudy = 48;
 inline constexpr std::size_t kMostFamilies = 300, kMostSections = 40, kShownFindings = 20;
 
 /// Returns at most kMostSections of them.
@@ -54,8 +55,13 @@ std::size_t count_families(const std::set<std::string>& family_labels);
 /// Returns the power of n that figures divide a quantity by: the order of the theorem's bound, or
 /// without one that of the box of a line of vertices.
 double order_of(const Section& section, Quantity quantity);
-/// Returns by requested n the graph with the largest share of the theorem's bound.
+/// Returns the quantity that stands for the sides in figures: the extent on the axis that comes
+/// nearest to the theorem's bound; without one the longest side.
+Quantity nearest_side(const Section& section);
+/// Returns by n the graph with the largest share of the theorem's bound.
 std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve);
+/// Returns the unit of a quantity of the setting's drawings.
+const char* unit_of(const Section& section, Quantity quantity);
 /// Returns the interval that a growth is told with (docs/analysis.md, Growth, points 4 and 5).
 Interval told_interval(const ScalingEntry& entry);
 
@@ -86,6 +92,22 @@ class GraphList {
   std::map<std::size_t, Noted> rows_;
 };
 
+/// Holds the first and the last of sizes that stand together, and of them the one nearest to the
+/// middle of the logarithmic scale.
+struct SizeBin {
+  std::int64_t first = 0, last = 0, n = 0;
+  bool operator==(const SizeBin&) const = default;
+};
+/// Makes one bin a size if there are at most `most`; else bins of `most` equal parts of the
+/// logarithmic scale, without the empty ones. @param sizes  at least 1 each; smaller ones are in no
+/// bin but the first.
+std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t most);
+/// Makes at most `most` bins of all n that the sections' graphs have: around the sizes that the study
+/// asked for, and those of collections. An n belongs to the nearest of these.
+std::vector<SizeBin> bins_of_study(const std::vector<Section>& sections, std::size_t most);
+/// Returns the bin with this n.
+const SizeBin& bin_of(const std::vector<SizeBin>& bins, std::int64_t n);
+
 /// Holds what the makers of tables read, and where their tables go.
 struct TableMaker {
   const StudyAnalysis& analysis;
@@ -93,6 +115,7 @@ struct TableMaker {
   const std::vector<Section>& sections;
   bool all = true;  ///< false: what the page shows
   GraphList graphs;
+  std::vector<SizeBin> bins = bins_of_study(sections, kMostBinsOfStudy);  ///< of curves and trade
   std::vector<Table> tables = empty_tables("report");
 
   Table& table(std::string_view name) { return table_named(name, tables); }
@@ -112,19 +135,19 @@ void fill_growth(const StudyAnalysis& analysis, const std::vector<Section>& sect
 /// Returns the rows of the graphs that the pairs of volumes of collections name.
 std::vector<std::size_t> collection_outliers(const std::vector<Section>& sections);
 
+/// What figures call the bends of a drawing over its edges.
+inline constexpr const char* kBendsPerEdge = "bends per edge";
+/// Adds least, median and largest of the curves' medians of a bin to `bands`.
+/// @param values  by SizeBin::n, then by curve; one median for each n.
+void add_band(TableMaker& make, std::size_t setting, const char* quantity,
+              const std::map<std::int64_t, std::map<std::size_t, std::vector<double>>>& values);
+
 double log10_of(std::int64_t n);
 /// Returns the decimal logarithm of a natural one.
 double decimal(double natural_log);
 /// Returns the decimal logarithm of a metric, and the bends of all edges; NaN: missing.
 double log10_metric(const DrawnGraph& graph, std::string_view name);
 double bends_of(const DrawnGraph& graph);
-
-/// Holds the first and the last of sizes that stand together.
-using SizeBin = std::pair<std::int64_t, std::int64_t>;
-/// Makes one bin a size if there are at most `most`; else bins of `most` equal parts of the
-/// logarithmic scale, without the empty ones. @param sizes  at least 1 each; smaller ones are in no
-/// bin but the first.
-std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t most);
 
 /// Returns at most `most` of the items, evenly, the first and the last among them.
 template <class Item>

@@ -22,32 +22,39 @@ struct Median {
   double time = kMissing;
 };
 
-/// Holds what one setting did on every family but collections at every requested n: medians over
-/// graphs. Sizes with an unfinished graph are left out.
+/// Names the graphs of a family with one n.
+using FamilySize = std::pair<std::string, std::int64_t>;
+
+/// Holds what one setting did on every family but collections, by the n of bins_of_study: medians
+/// over graphs. Sizes with an unfinished graph are left out.
 struct ComparedSetting {
   const Section* section = nullptr;
   std::size_t place = 0;  ///< in the sections
   std::size_t bends = 0;  ///< largest number of bends per edge
-  std::map<std::int64_t, std::map<std::string, Median>> sizes;
+  std::map<std::int64_t, std::map<FamilySize, Median>> sizes;
 };
 
-/// Settings that can be compared, and the families that all of them drew.
+/// Settings that can be compared, the families that all of them drew, and at one bin the graphs.
 struct SettingGroup {
   std::vector<const ComparedSetting*> settings;
   std::set<std::string> families;
+  std::set<FamilySize> common;
   /// Some setting has a unit of its own, so that all volumes are over the smallest distance of
   /// vertices.
   bool is_relative = false;
 
-  /// The settings with this n, and those of the families that all of these drew there.
+  /// The settings with this n, and the graphs of the families that all of these drew there.
   SettingGroup at(std::int64_t n) const {
-    SettingGroup there{{}, families, is_relative};
+    SettingGroup there{{}, families, {}, is_relative};
     for (const ComparedSetting* setting : settings) {
       const auto size = setting->sizes.find(n);
       if (size == setting->sizes.end()) continue;
+      for (const auto& [graphs, medians] : size->second) {
+        if (there.settings.empty() && families.contains(graphs.first)) there.common.insert(graphs);
+      }
       there.settings.push_back(setting);
-      std::erase_if(there.families,
-                    [&](const std::string& family) { return !size->second.contains(family); });
+      std::erase_if(there.common,
+                    [&](const FamilySize& graphs) { return !size->second.contains(graphs); });
     }
     return there;
   }
@@ -60,12 +67,12 @@ struct SettingGroup {
     return all;
   }
 
-  /// The median of a setting's medians over the families at an n that it has; `volume` is the
+  /// The median of a setting's medians over the common graphs at an n that it has; `volume` is the
   /// relative one if the group's are.
   Median over(const ComparedSetting& setting, std::int64_t n) const {
     std::vector<double> volumes, times;
-    for (const auto& [family, medians] : setting.sizes.at(n)) {
-      if (!families.contains(family)) continue;
+    for (const FamilySize& graphs : common) {
+      const Median& medians = setting.sizes.at(n).at(graphs);
       volumes.push_back(is_relative ? medians.relative_volume : medians.volume);
       times.push_back(medians.time);
     }
@@ -91,7 +98,8 @@ double median_relative_volume(const SizeTally& size) {
   return median(std::move(logs));
 }
 
-std::vector<ComparedSetting> settings_of(const std::vector<Section>& sections) {
+std::vector<ComparedSetting> settings_of(const std::vector<Section>& sections,
+                                         const std::vector<SizeBin>& bins) {
   std::vector<ComparedSetting> settings;
   for (const Section& section : sections) {
     ComparedSetting& setting = settings.emplace_back();
@@ -103,11 +111,12 @@ std::vector<ComparedSetting> settings_of(const std::vector<Section>& sections) {
         if (curve.tally->bends[b] > 0) setting.bends = std::max(setting.bends, b);
       }
       for (const auto& [n, size] : curve.tally->sizes) {
-        if (size.drawn == 0 || size.censored || size.requested_n < 1) continue;
+        if (size.drawn == 0 || size.censored || n < 1) continue;
         const double time =
             curve.tally->has_timing_rows ? median_of(size, Quantity::wall_s) : kMissing;
         const Median medians{median_of(size, Quantity::volume), median_relative_volume(size), time};
-        if (!std::isnan(medians.volume)) setting.sizes[size.requested_n][curve.family] = medians;
+        if (std::isnan(medians.volume)) continue;
+        setting.sizes[bin_of(bins, n).n][{curve.family, n}] = medians;
       }
     }
   }
@@ -120,8 +129,8 @@ std::vector<SettingGroup> groups_of(const std::vector<ComparedSetting>& settings
   using SettingSet = std::set<const ComparedSetting*>;
   std::map<std::string, SettingSet> drawn_by;  // by family
   for (const ComparedSetting& setting : settings) {
-    for (const auto& [n, families] : setting.sizes) {
-      for (const auto& [family, medians] : families) drawn_by[family].insert(&setting);
+    for (const auto& [n, graphs] : setting.sizes) {
+      for (const auto& [of, medians] : graphs) drawn_by[of.first].insert(&setting);
     }
   }
   std::map<SettingSet, std::set<std::string>> families_of;
@@ -134,7 +143,7 @@ std::vector<SettingGroup> groups_of(const std::vector<ComparedSetting>& settings
     if (!is_largest || one.size() < 2) continue;
     const bool is_relative = std::ranges::any_of(
         one, [](const ComparedSetting* setting) { return setting->section->has_own_unit; });
-    groups.push_back({{one.begin(), one.end()}, own, is_relative});
+    groups.push_back({{one.begin(), one.end()}, own, {}, is_relative});
   }
   std::ranges::stable_sort(groups, std::greater(), [](const SettingGroup& group) {
     std::set<std::string> algorithms;
@@ -147,7 +156,7 @@ std::vector<SettingGroup> groups_of(const std::vector<ComparedSetting>& settings
   return groups;
 }
 
-/// Volumes by family, requested n, seed and index, which make two rows rows of one graph.
+/// Volumes by family, n, seed and index, which make two rows rows of one graph.
 using GraphVolumes =
     std::map<std::tuple<std::string, std::int64_t, std::uint64_t, std::int64_t>, double>;
 
@@ -157,7 +166,7 @@ GraphVolumes volumes_of(const ComparedSetting& setting, const SettingGroup& grou
     if (!group.families.contains(curve.family)) continue;
     for (const auto& [n, size] : curve.tally->sizes) {
       for (const DrawnGraph& graph : size.graphs) {
-        volumes.try_emplace({curve.family, size.requested_n, graph.seed, graph.instance},
+        volumes.try_emplace({curve.family, n, graph.seed, graph.instance},
                             log10_volume(graph, group.is_relative));
       }
     }
@@ -168,12 +177,12 @@ GraphVolumes volumes_of(const ComparedSetting& setting, const SettingGroup& grou
 /// One setting of a group, by n.
 using TradeLine = std::map<std::int64_t, Median>;
 
-/// At each n over the families that all settings with this n drew there, by setting.
+/// At each n over the graphs that all settings with this n drew there, by setting.
 std::vector<TradeLine> trade_lines(const SettingGroup& group) {
   std::vector<TradeLine> lines(group.settings.size());
   for (const std::int64_t n : group.sizes()) {
     const SettingGroup there = group.at(n);
-    if (there.families.empty()) continue;
+    if (there.common.empty()) continue;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (!group.settings[i]->sizes.contains(n)) continue;
       const Median medians = there.over(*group.settings[i], n);
@@ -275,10 +284,11 @@ void add_group(const SettingGroup& group, double order, TableMaker& make) {
               order});
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (const auto& [n, point] : lines[i]) {
+      const SizeBin& bin = bin_of(make.bins, n);
       make.table("trade").add({place, n, group.settings[i]->place, std::pow(10, point.volume),
                                std::pow(10, point.volume - order * log10_of(n)),
                                std::pow(10, point.time), group.settings[i]->bends,
-                               is_on_front(lines, n, point)});
+                               is_on_front(lines, n, point), bin.first, bin.last});
     }
   }
   for (const Crossing& crossing : crossings_of(group, lines)) {
@@ -299,19 +309,20 @@ void add_efforts(const std::vector<ComparedSetting>& settings, Table& table) {
     if (is_level || label.find("effort=") == std::string::npos) continue;
     SettingGroup& group = efforts[setting.section->algorithm];
     group.settings.push_back(&setting);
-    for (const auto& [n, families] : setting.sizes) {
-      for (const auto& [family, medians] : families) group.families.insert(family);
+    for (const auto& [n, graphs] : setting.sizes) {
+      for (const auto& [of, medians] : graphs) group.families.insert(of.first);
     }
   }
   for (const auto& [algorithm, group] : efforts) {
     const std::set<std::int64_t> sizes = group.sizes();
     for (auto n = sizes.rbegin(); n != sizes.rend(); ++n) {
       const SettingGroup there = group.at(*n);
-      if (there.settings.size() < 2 || there.families.empty()) continue;
+      if (there.settings.size() < 2 || there.common.empty()) continue;
+      const std::int64_t largest = std::ranges::max(there.common, {}, &FamilySize::second).second;
       const Median first = there.over(*there.settings.front(), *n);
       for (const ComparedSetting* setting : there.settings) {
         const Median own = there.over(*setting, *n);
-        table.add({setting->place, algorithm, *n, std::pow(10, own.time - first.time),
+        table.add({setting->place, algorithm, largest, std::pow(10, own.time - first.time),
                    std::pow(10, own.volume - first.volume)});
       }
       break;
@@ -322,7 +333,7 @@ void add_efforts(const std::vector<ComparedSetting>& settings, Table& table) {
 }  // namespace
 
 void add_trade(TableMaker& make) {
-  const std::vector<ComparedSetting> settings = settings_of(make.sections);
+  const std::vector<ComparedSetting> settings = settings_of(make.sections, make.bins);
   for (const SettingGroup& group : groups_of(settings)) {
     add_group(group, least_order(make.sections), make);
   }

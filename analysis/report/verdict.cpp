@@ -41,6 +41,30 @@ void add_findings(TableMaker& make) {
   }
 }
 
+double least_angle(const Section& section) {
+  double least = kMissing;
+  for (const SectionCurve& curve : section.curves) {
+    for (const auto& [n, size] : curve.tally->sizes) {
+      for (const DrawnGraph& graph : size.graphs) {
+        for (const char* angle : {"smallest_vertex_angle", "smallest_bend_angle"}) {
+          least = std::fmin(least, metric_of(graph, angle));
+        }
+      }
+    }
+  }
+  return least;
+}
+
+std::size_t most_bends(const Section& section) {
+  std::size_t most = 0;
+  for (const SectionCurve& curve : section.curves) {
+    for (std::size_t bends = 0; bends < curve.tally->bends.size(); ++bends) {
+      if (curve.tally->bends[bends] > 0) most = std::max(most, bends);
+    }
+  }
+  return most;
+}
+
 void add_settings(TableMaker& make) {
   Table& table = make.table("settings");
   for (const Section& section : make.sections) {
@@ -74,7 +98,9 @@ void add_settings(TableMaker& make) {
                                   violations,
                                   unproved,
                                   ok,
-                                  measured};
+                                  measured,
+                                  least_angle(section),
+                                  most_bends(section)};
     row.resize(table.columns.size());
     const SectionCurve& closest = *std::ranges::min_element(
         section.curves, {}, [](const SectionCurve& curve) { return curve.least_slack(); });
@@ -111,12 +137,9 @@ void add_exponents(TableMaker& make) {
         low = std::fmin(low, told.low), high = std::fmax(high, told.high);
       }
       if (std::ranges::count(labels, 0U) == 4) continue;
-      const char* const unit = quantity == Quantity::wall_s         ? "s"
-                               : quantity == Quantity::longest_side ? "lattice units"
-                               : section.has_own_unit               ? "vertex distances³"
-                                                                    : "lattice points";
-      table.add({i, name_of(quantity), unit, order_of(section, quantity), least, largest, low, high,
-                 labels[0], labels[1], labels[2], labels[3], is_untimed});
+      table.add({i, name_of(quantity), unit_of(section, quantity), order_of(section, quantity),
+                 least, largest, low, high, labels[0], labels[1], labels[2], labels[3],
+                 is_untimed});
     }
   }
 }

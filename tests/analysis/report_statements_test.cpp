@@ -117,12 +117,79 @@ TEST(Report, EveryFamilyHasANumberInTheHeatMap) {
   EXPECT_EQ(rows_with(shares, "first_n", 45).at(0)["last_n"], 49);
 }
 
+/// Two families that make other n of the sizes asked for, one of them far from 10: as
+/// random-cubic-bridges does with 30 bridges.
+Results results_off_the_sizes() {
+  Results results = good_results({"diamond", "grid"}, {"cubic", "bridges"}, 9, 2);
+  for (ar3d::RunRecord& run : results.runs) {
+    run.requested_n = run.n;
+    const std::int64_t n =
+        run.family == "cubic" ? run.n - 1 : std::max<std::int64_t>(184, run.n + 3);
+    const std::int64_t asked = run.requested_n, instance = run.instance_index;
+    run = good_run(run.algorithm, run.family, n, instance);
+    run.requested_n = asked;
+  }
+  return results;
+}
+
+TEST(Report, EveryCellAndPointHasARowOfItsN) {
+  const Results results = results_off_the_sizes();
+  const auto tables = tables_of(timed(results));
+  std::set<std::int64_t> all_n;
+  for (const ar3d::RunRecord& run : results.runs) all_n.insert(run.n);
+  ASSERT_EQ(tables["shares"].size(), 2u * (9 + 5));  // 184 and 259 stand together near 256
+  for (const auto& cell : tables["shares"]) {
+    const ar3d::RunRecord& run = results.runs[cell["row"].get<std::size_t>()];
+    EXPECT_TRUE(run.n >= cell["first_n"] && run.n <= cell["last_n"]) << cell;
+    EXPECT_TRUE(all_n.contains(cell["first_n"]) && all_n.contains(cell["last_n"])) << cell;
+  }
+  for (const char* table : {"curves", "bands", "trade", "volume_bands", "bends_by_n"}) {
+    for (const auto& row : tables[table]) EXPECT_TRUE(all_n.contains(row["n"])) << table << row;
+  }
+  for (const char* table : {"bands", "trade"}) {
+    for (const auto& row : tables[table]) {
+      EXPECT_TRUE(row["first_n"] <= row["n"] && row["n"] <= row["last_n"]) << table << row;
+    }
+  }
+  for (const auto& row : tables["curves"]) {
+    EXPECT_EQ(row["n"], results.runs[row["row"].get<std::size_t>()].n);
+  }
+}
+
+TEST(Report, TheFigureOfTheSidesShowsTheShareOfTheFirstScreen) {
+  Results results = good_results({"diamond"}, {"cubic", "cycle"}, 5, 1);
+  for (ar3d::RunRecord& run : results.runs) {  // z is the longest, x the nearest to its bound
+    run.extents = {5 * run.n, run.n, run.family == "cubic" ? 6 * run.n : run.n};
+  }
+  const auto tables = tables_of(results);
+  double share = 0;
+  for (const auto& row : rows_with(tables["curves"], "quantity", "x extent")) {
+    share = std::max(share, row["largest"].get<double>() / row["bound"].get<double>());
+  }
+  EXPECT_NEAR(share, tables["settings"][0]["share"], 1e-4);
+  EXPECT_EQ(tables["settings"][0]["closest_axis"], "x");
+  EXPECT_EQ(rows_with(tables["curves"], "quantity", "z extent").size(), 0u);
+}
+
+TEST(Tables, NothingIsRoundedTwice) {
+  const Table table{
+      "t", "r", {{"a", "number", "", "m", 4}}, {0.874976, 0.8749500001, 1.0, 0.125, 0.62496}};
+  const auto rows = rows_by_table(std::vector<Table>{table})["t"];
+  const double shown[] = {0.874976, 0.87495000, 1, 0.125, 0.62496};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(std::round(1000 * rows[i]["a"].get<double>()),
+              std::round(1000 * std::stod(table.cells[i].csv())));
+    EXPECT_EQ(std::round(100 * rows[i]["a"].get<double>()), std::round(100 * shown[i]));
+  }
+}
+
 TEST(Bins, OfSizesAreEvenOnALogarithmicScale) {
   using report::size_bins;
   using Bins = std::vector<report::SizeBin>;
-  EXPECT_EQ(size_bins({10, 11, 99, 1000}, 4), (Bins{{10, 10}, {11, 11}, {99, 99}, {1000, 1000}}));
-  EXPECT_EQ(size_bins({10, 11, 99, 100, 999, 1000}, 2), (Bins{{10, 99}, {100, 1000}}));
-  EXPECT_EQ(size_bins({0, 1, 2, 1000}, 3), (Bins{{0, 2}, {1000, 1000}}));
+  EXPECT_EQ(size_bins({10, 11, 99, 1000}, 4),
+            (Bins{{10, 10, 10}, {11, 11, 11}, {99, 99, 99}, {1000, 1000, 1000}}));
+  EXPECT_EQ(size_bins({10, 11, 99, 100, 999, 1000}, 2), (Bins{{10, 99, 11}, {100, 1000, 999}}));
+  EXPECT_EQ(size_bins({0, 1, 2, 1000}, 3), (Bins{{0, 2, 2}, {1000, 1000, 1000}}));
   EXPECT_EQ(size_bins({}, 3), Bins{});
 }
 

@@ -167,16 +167,15 @@ TEST(Report, GrowthIsDividedByTheOrderOfTheBound) {
   Results results = good_results({"diamond"}, {"cubic"}, 9, 1);
   for (ar3d::RunRecord& run : results.runs) run.extents = {run.n, run.n, 5 * run.n};
   const auto tables = tables_of(results);
-  const auto sides = rows_with(tables["curves"], "quantity", "longest side");
+  const auto sides = rows_with(tables["curves"], "quantity", "z extent");
   ASSERT_EQ(sides.size(), 9u);
   for (const auto& side : sides) {
     for (const char* value : {"least", "median", "largest"}) EXPECT_NEAR(side[value], 5, 1e-4);
     EXPECT_EQ(side["divisor"], side["n"]);
     EXPECT_NEAR(side["bound"], 8, 1e-4);
   }
-  EXPECT_NEAR(rows_with(tables["bands"], "quantity", "longest side").back()["median"], 5, 1e-4);
-  EXPECT_NEAR(rows_with(tables["bound_lines"], "quantity", "longest side").back()["bound"], 8,
-              1e-4);
+  EXPECT_NEAR(rows_with(tables["bands"], "quantity", "z extent").back()["median"], 5, 1e-4);
+  EXPECT_NEAR(rows_with(tables["bound_lines"], "quantity", "z extent").back()["bound"], 8, 1e-4);
 }
 
 TEST(Report, VolumesLieInABandBetweenTheirBounds) {
@@ -242,7 +241,7 @@ TEST(Report, OfManyFamiliesTheExtremeOnesAreNamed) {
     run.extents = {run.n, run.n, run.n * (100 + place) / 40};
   }
   std::set<std::string> named;
-  for (const auto& row : rows_with(tables_of(results)["growth"], "quantity", "longest side")) {
+  for (const auto& row : rows_with(tables_of(results)["growth"], "quantity", "z extent")) {
     if (!row["named"].is_null()) named.insert(row["family"]);
   }
   EXPECT_EQ(named, (std::set<std::string>{"family-29", "family-28", "family-1", "family-0"}));
@@ -288,6 +287,14 @@ TEST(Report, BatchesAreShownAgainstTheIdeal) {
     EXPECT_NEAR(row["batch"], 0.016, 1e-9);
     EXPECT_NEAR(row["ideal"], 0.012, 1e-9);
     EXPECT_NEAR(row["at_a_time"], 3, 1e-9);
+    EXPECT_EQ(row["crowded"], false) << "nobody knows how many cores there were";
+  }
+  const auto serial = rows_with(rows_with(scaling, "kind", "strong"), "sharers", 4).at(0);
+  EXPECT_NEAR(serial["serial"], 1.0 / 9, 1e-5) << "1/9 alone and 8/9 shared by 4 take a third";
+  EXPECT_EQ(rows_with(scaling, "serial", nullptr).size(), 7u);
+  results.environment = {{"affinity", "0,1,2", 0}, {"cpu_quota", "1.50 cores", 0}};
+  for (const auto& row : tables_of(results)["scaling"]) {
+    EXPECT_EQ(row["crowded"], row["sharers"] == 4 && row["shared_by"] == "threads");
   }
 }
 

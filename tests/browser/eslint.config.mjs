@@ -1,5 +1,5 @@
 // What ./run-tests --lint asks of the scripts: in the viewer every name is declared in its module or imported.
-const browser = ["Blob", "DecompressionStream", "HTMLButtonElement", "HTMLCanvasElement", "HTMLInputElement", "HTMLSelectElement",
+const browser = ["Blob", "DecompressionStream", "HTMLButtonElement", "HTMLCanvasElement", "HTMLInputElement", "HTMLSelectElement", "IntersectionObserver",
   "DOMParser", "HTMLTextAreaElement", "Option", "Response", "THREE", "TextDecoder", "TextEncoder", "URL", "URLSearchParams", "WebAssembly", "Worker",
   "ar3dCore", "history", "location", "navigator", "self", "addEventListener", "atob", "cancelAnimationFrame", "clearTimeout", "devicePixelRatio", "document",
   "getComputedStyle", "getSelection", "innerHeight", "innerWidth", "matchMedia", "performance", "requestAnimationFrame", "scrollTo", "setTimeout", "window"];

@@ -31,11 +31,18 @@ test("every type is predicted from the widest", () => {
 });
 
 test("times of the timing phase are ranked", () => {
-  const rows = drawings(), timed = rows.map(row => ({row: row.row, seconds: row.vertices * (row.curve === 2 ? 9 : 1 + row.curve)}));
-  const {accuracies} = realStudy(rows, curves, timed), last = accuracies.filter(row => row.n === 4096);
+  const timed = type => Array.from({length: 9}, (_, i) => ({curve: type, quantity: "drawing time", n: 16 << i, median: type === 2 ? 9 : type === 5 ? 0.01 : 1 + type, divisor: 16 << i}));
+  const exact = {algorithm: "two-bend", options: "", family: "random-cubic", parameters: "", setting: 5, ok: 27};
+  const {accuracies, conclusions, compared} = realStudy(drawings(), [...curves.map((curve, setting) => ({...curve, setting, ok: 27})), exact], [0, 1, 2, 3, 4, 5].flatMap(timed)), last = accuracies.filter(row => row.n === 4096);
   assert.deepEqual([...new Set(accuracies.map(row => row.n))], [16, 64, 512, 4096]);
   assert.deepEqual(last.map(row => row.time), [1, 2, 9, 4, 5]);
   assert.deepEqual(last.map(row => row.front), [true, true, false, true, true]);
+  assert.equal(compared.length, 9, "a row for each n of the family");
+  assert.deepEqual(compared.at(-1).exact, [{setting: 5, time: 0.01}]);
+  const single = conclusions[0];
+  assert.deepEqual([single.held_n, single.held_miss < 0.1], [256, true], "0.18 degrees at n = 512");
+  assert.deepEqual([single.drawings, single.worst_n, single.last_n, single.beside.n, single.beside.setting], [27, 4096, 4096, 4096, 5]);
+  assert.ok(Math.abs(single.beside.ratio - 100) < 1e-9 && Math.abs(single.miss - 0.2 * 180 / Math.PI * 4096 ** 2 * 2 ** -24) < 1e-9);
 });
 
 test("predictions that fail are refuted", () => {
@@ -59,7 +66,7 @@ test("drawings that miss nothing, broken ones, and conditions that are infinite"
   const study = realStudy(rows, curves, []);
   assert.equal(study.broken, 3);
   assert.equal(study.medians.find(row => row.type === 0 && row.n === 16).miss, 0);
-  assert.equal(study.largest.find(row => row.type === 0).n, 4096);
+  assert.equal(study.compared[1].types[0].largest, 30);
 });
 
 test("one type alone is shown and predicts nothing else; no drawings are nothing", () => {
