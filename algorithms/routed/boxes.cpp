@@ -4,6 +4,8 @@
 // anew. Cost: the searches, of which each effort has a count; a box holds 5 bytes a point.
 #include "ar3d/algorithms/routed/boxes.h"
 
+#include <algorithm>
+
 #include "ar3d/algorithms/routed/check.h"
 #include "ar3d/algorithms/routed/layouts.h"
 #include "ar3d/base/error.h"
@@ -12,21 +14,21 @@ namespace ar3d::routed {
 namespace {
 
 constexpr std::uint64_t kSeed = 0x726f75746564;  // any fixed number
-constexpr std::uint64_t kSearchesPerEdge = 300;  // of effort 1
-constexpr std::uint64_t kSearchesAnyway = 5000;
 constexpr std::uint64_t kStepsPerVertex = 4000;  // of the annealing
-constexpr int kPatience = 60;                    // rounds without gain, all edges routed anew
-constexpr int kPatienceOfCuts = 20;
+constexpr int kPatience = 25;                    // rounds without gain, all edges routed anew
+constexpr int kPatienceOfCuts = 15;
 constexpr int kFirstBoxes = 10;
 constexpr int kMostLayers = 5;  // that a box grows by before it is given up
 
 class BoxSearch {
  public:
-  BoxSearch(const Graph& graph, const Words& words, const BoxOptions& options, BoxCounts& counts)
-      : graph_(graph), words_(words), points_(words.points()), options_(options), counts_(counts) {}
+  BoxSearch(const Graph& graph, const PointClass& points, int bends, const BoxOptions& options,
+            BoxCounts& counts)
+      : graph_(graph), points_(points), bends_(bends), options_(options), counts_(counts) {}
 
   std::optional<Routing> run() {
-    const std::uint64_t usual = kSearchesPerEdge * graph_.num_edges() + kSearchesAnyway;
+    const std::uint64_t edges = graph_.num_edges();
+    const std::uint64_t usual = std::min(300 * edges + 5000, 100 * edges + 40000);  // of effort 1
     most_searches_ = 2 * usual;
     if (find_first() && options_.effort > 0) {
       most_searches_ = counts_.searches + (options_.effort == 2 ? 10 * usual : usual);
@@ -45,7 +47,7 @@ class BoxSearch {
     if (bytes > options_.most_bytes || !may_go_on()) return false;
     counts_.bytes = std::max(counts_.bytes, bytes);
     ++counts_.boxes;
-    Negotiation negotiation(graph_, words_, std::move(given),
+    Negotiation negotiation(graph_, points_, bends_, std::move(given),
                             mix_seed(kSeed, static_cast<std::uint64_t>(counts_.boxes)));
     const std::size_t conflicts = negotiation.run(
         {.rounds_without_gain = patience, .searches = most_searches_ - counts_.searches});
@@ -55,8 +57,7 @@ class BoxSearch {
       counts_.conflicts = conflicts;
       return false;
     }
-    expect(is_drawing(graph_, points_, words_.bends(), last_),
-           "a routing without conflicts is a drawing");
+    expect(is_drawing(graph_, points_, bends_, last_), "a routing without conflicts is a drawing");
     ++counts_.legal;
     best_ = last_;
     best_->layout.limits = tight_limits(graph_, points_, last_);
@@ -65,8 +66,8 @@ class BoxSearch {
 
   bool find_first() {
     const Placement placement = place(graph_, kStepsPerVertex, RandomStream(kSeed, 1));
-    const auto frames = choose_frames(graph_, points_, words_.bends(), RandomStream(kSeed, 2));
-    Limits box = first_box(points_, words_.bends(), graph_.num_vertices());
+    const auto frames = choose_frames(graph_, points_, bends_, RandomStream(kSeed, 2));
+    Limits box = first_box(points_, bends_, graph_.num_vertices());
     for (int go = 0; go < kFirstBoxes; ++go) {
       const auto layout = spread(points_, placement, frames, box);
       if (layout && (try_box({*layout, {}}, kPatience) || grow())) return true;
@@ -86,15 +87,17 @@ class BoxSearch {
     return false;
   }
 
-  /// Boxes of sides smaller by 5 %, then 2.5 %, 1.25 % and 0.6 % after failures.
+  /// Boxes of sides smaller by 5 %, then 2.5 %, 1.25 % and so on after failures; at last by a layer.
   void scale_down() {
-    for (int fraction = 20; fraction <= 160 && may_go_on();) {
+    for (int fraction = 20; may_go_on();) {
       const Spot sides = best_->layout.limits.sides();
-      const auto shorter = [&](int side) { return side - 1 - side / fraction; };
-      const Limits box{{0, 0, 0}, {shorter(sides.x), shorter(sides.y), shorter(sides.z)}};
+      const auto last = [&](int side) { return side - 1 - std::max(1, side / fraction); };
+      const Limits box{{0, 0, 0}, {last(sides.x), last(sides.y), last(sides.z)}};
       if (box.high.x < 1 || box.high.y < 1 || box.high.z < 1) return;
       const auto layout = rescaled(points_, best_->layout, box);
-      if (!layout || !try_box({*layout, {}}, kPatience)) fraction *= 2;
+      if (layout && try_box({*layout, {}}, kPatience)) continue;
+      if (fraction > best_->layout.limits.longest()) return;
+      fraction *= 2;
     }
   }
 
@@ -117,8 +120,8 @@ class BoxSearch {
   }
 
   const Graph& graph_;
-  const Words& words_;
   const PointClass& points_;
+  int bends_;
   BoxOptions options_;
   BoxCounts& counts_;
   std::uint64_t most_searches_ = 0;
@@ -138,9 +141,9 @@ Limits first_box(const PointClass& points, int bends, std::uint64_t n) {
   return {{0, 0, 0}, {last, last, last}};
 }
 
-std::optional<Routing> smallest_routing(const Graph& graph, const Words& words,
+std::optional<Routing> smallest_routing(const Graph& graph, const PointClass& points, int bends,
                                         const BoxOptions& options, BoxCounts& counts) {
-  return BoxSearch(graph, words, options, counts).run();
+  return BoxSearch(graph, points, bends, options, counts).run();
 }
 
 }  // namespace ar3d::routed

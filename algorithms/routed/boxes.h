@@ -26,7 +26,7 @@ Limits first_box(const PointClass& points, int bends, std::uint64_t n);
 
 /// Routes a graph with vertices in boxes that get smaller.
 /// @return the smallest drawing found, each checked by is_drawing(); none if no box was legal.
-std::optional<Routing> smallest_routing(const Graph& graph, const Words& words,
+std::optional<Routing> smallest_routing(const Graph& graph, const PointClass& points, int bends,
                                         const BoxOptions& options, BoxCounts& counts);
 
 }  // namespace ar3d::routed

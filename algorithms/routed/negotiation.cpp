@@ -16,28 +16,27 @@ constexpr std::size_t kEdgesAtOnce = 32;  // in a group
 constexpr std::size_t kWorthThreads = 6;  // searches side by side
 constexpr EdgeId kEdgesWorthThreads = 400;
 constexpr int kRoundsOfAll = 3;  // after them only edges in conflict are routed anew
-constexpr int kPriceCap = 200 * 16;
+constexpr int kPriceCap = 30 * 16;
+constexpr int kMostIncrease = 64;  // of the history in a round, in quarters
 
 }  // namespace
 
-Negotiation::Negotiation(const Graph& graph, const Words& words, Routing given, std::uint64_t seed)
+Negotiation::Negotiation(const Graph& graph, const PointClass& points, int bends, Routing given,
+                         std::uint64_t seed)
     : graph_(graph),
-      words_(words),
-      points_(words.points()),
+      points_(points),
       now_(std::move(given)),
       box_(points_, now_.layout.limits),
       seed_(seed),
       random_(seed),
-      conflicts_(graph.num_edges()),
-      moves_early_(words.bends() < 5) {
+      conflicts_(graph.num_edges()) {
+  for (std::size_t f = 0; f < (points.is_body() && bends != 4 ? 1 : points.frames().size()); ++f) {
+    frames_.push_back(f);
+  }
   for (const Spot at : now_.layout.at) box_.put_vertex(box_.index(at));
   if (now_.routes.empty()) now_.routes.resize(graph.num_edges());
   for (EdgeId e = 0; e < graph_.num_edges(); ++e) put(e);
-  for (std::uint32_t t = 0; t < available_threads(); ++t) searchers_.emplace_back(words);
-}
-
-End Negotiation::end(Vertex v, Directions arms) const {
-  return {now_.layout.at[v], now_.layout.frame[v], arms};
+  for (std::uint32_t t = 0; t < available_threads(); ++t) searchers_.emplace_back(points, bends);
 }
 
 std::vector<EdgeId> Negotiation::conflicts() {
@@ -64,9 +63,8 @@ void Negotiation::route_group(std::span<const EdgeId> edges) {
   search_side_by_side(edges.size(), [&](RouteSearch& search, std::size_t i) {
     const Edge ends = graph_.edge(edges[i]);
     RandomStream random(mix_seed(seed_, group), i);
-    const auto arms = [&](Vertex v) { return points_.frames()[now_.layout.frame[v]]; };
-    search.find(box_, end(ends.u, arms(ends.u)), end(ends.v, arms(ends.v)),
-                cost_of(edges[i]) + tolerance(), lengths_, random, found[i]);
+    search.find(box_, end(ends.u), end(ends.v), cost_of(edges[i]) + tolerance(), conflicts_ <= 20,
+                random, found[i]);
   });
   searches_ += edges.size();
   for (const EdgeId e : edges) put(e);
@@ -105,59 +103,30 @@ int Negotiation::price_edges(Vertex v) {
   return static_cast<int>(std::min<std::int64_t>(total, CostBox::kNoRoute));
 }
 
-/// A random point near the vertex, or another frame.
-bool Negotiation::propose(Vertex v, Trial& trial) {
-  const Layout& layout = now_.layout;
-  int largest = 6;
-  if (conflicts_ <= 40 && random_.chance(1, 3)) largest = std::max(6, layout.limits.longest() / 5);
-  const auto radius = static_cast<int>(1 + random_.below(static_cast<std::uint32_t>(largest)));
-  const auto shift = [&] {
-    return static_cast<int>(random_.below(static_cast<std::uint32_t>(2 * radius + 1))) - radius;
-  };
-  const Spot old = layout.at[v];
-  Spot at = {old.x + shift(), old.y + shift(), old.z + shift()};
-  if (points_.is_body()) {
-    at.y ^= (at.x ^ at.y) & 1;
-    at.z ^= (at.x ^ at.z) & 1;
-  } else if (!points_.contains(at)) {
-    at.x ^= 1;
-  }
-  trial.vertex = v;
-  trial.frame = layout.frame[v];
-  if ((!points_.is_body() || words_.bends() == 4) && random_.chance(1, 2)) {
-    trial.frame = random_.below(static_cast<std::uint32_t>(points_.frames().size()));
-    if (random_.chance(1, 2)) at = old;
-  }
-  trial.at = at;
-  if (!box_.contains(at)) return false;
-  const int i = box_.index(at);
-  return at == old ? trial.frame != layout.frame[v] : !box_.has_vertex(i) && box_.uses(i) == 0;
-}
-
-/// Routes the edges of the trial's vertex from its new place, in different arms.
+/// Routes the edges of the trial's vertex from the best place near it, in different arms.
 void Negotiation::search_trial(Trial& trial, RouteSearch& search) {
   RandomStream random(mix_seed(seed_, groups_), 1000 + trial.vertex);
-  const std::vector<Directions>& frames = points_.frames();
-  Directions free = frames[trial.frame];
+  const auto edges = graph_.incident(trial.vertex);
+  std::vector<End> neighbours;
+  for (const HalfEdge& half : edges) neighbours.push_back(end(half.to));
+  Place place;
   int left = trial.limit;
-  std::size_t k = 0;
-  for (const HalfEdge& half : graph_.incident(trial.vertex)) {
-    Route& route = trial.routes[k++];
-    const End moved{trial.at, trial.frame, free};
-    const Vertex w = half.to;
-    const End other = end(w, frames[now_.layout.frame[w]]);
-    const bool starts = graph_.edge(half.edge).u == trial.vertex;
-    ++trial.searches;
-    const int cost = search.find(box_, starts ? moved : other, starts ? other : moved, left,
-                                 lengths_, random, route);
-    if (!route) {
+  trial.searches += 2 * edges.size();
+  const Spot now = now_.layout.at[trial.vertex];
+  if (search.find_place(box_, now, neighbours, frames_, points_.is_body() ? 6 : 4, left, random,
+                        place) >= left)
+    return;
+  trial.at = place.at;
+  trial.frame = place.frame;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const End moved{place.at, static_cast<Directions>(1u << place.arms[k])};
+    const bool starts = graph_.edge(edges[k].edge).u == trial.vertex;
+    left -= search.find(box_, starts ? moved : neighbours[k], starts ? neighbours[k] : moved, left,
+                        true, random, trial.routes[k]);
+    if (!trial.routes[k]) {
       trial.routes = {};
       return;
     }
-    left -= cost;
-    const int arm =
-        starts ? route.direction[0] : PointClass::opposite(route.direction[route.segments - 1]);
-    free = without(free, arm);
   }
 }
 
@@ -232,45 +201,25 @@ void Negotiation::move_vertices(const std::vector<EdgeId>& edges) {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   random_.shuffle(std::span(vertices));
-  const int goes = edges.size() <= 6 ? 10 : edges.size() <= 20 ? 4 : 1;
   const std::size_t size = std::clamp<std::size_t>(vertices.size() / 8, 1, kEdgesAtOnce / 4);
   std::vector<Trial> trials;
-  for (int go = 0; go < goes; ++go) {
-    for (std::size_t i = 0; i < vertices.size(); i += size) {
-      trials.clear();
-      for (std::size_t k = i; k < std::min(vertices.size(), i + size); ++k) {
-        const auto at_it = graph_.incident(vertices[k]);
-        if (goes > 1 && std::none_of(at_it.begin(), at_it.end(), [&](const HalfEdge& half) {
-              return is_in_conflict(half.edge);
-            })) {
-          continue;
-        }
-        Trial trial;
-        if (propose(vertices[k], trial)) trials.push_back(trial);
-      }
-      if (!trials.empty()) move_group(trials);
+  for (std::size_t i = 0; i < vertices.size(); i += size) {
+    trials.clear();
+    for (std::size_t k = i; k < std::min(vertices.size(), i + size); ++k) {
+      trials.emplace_back().vertex = vertices[k];
     }
+    move_group(trials);
   }
 }
 
 void Negotiation::raise_prices(int round) {
   box_.remember_shared(increase_ / 4);
-  if (round > 6) increase_ = std::min(16, increase_ + std::max(1, increase_ * 3 / 20));
+  if (round > 6) increase_ = std::min(kMostIncrease, increase_ + std::max(1, increase_ * 3 / 20));
   const int before = price_ / 16;
   price_ = std::min(kPriceCap, price_ + price_ / 4);
   if (price_ / 16 == before) return;
   box_.set_price(price_ / 16);
   for (EdgeId e = 0; e < graph_.num_edges(); ++e) box_.refresh(start(e), now_.routes[e]);
-}
-
-void Negotiation::choose_lengths() {
-  const std::size_t edges = graph_.num_edges();
-  lengths_.near_of_three = conflicts_ <= 12 ? 3 : 2;
-  lengths_.near_of_two = conflicts_ <= 12 ? 16 : 10;
-  lengths_.random = conflicts_ <= 6 ? 8
-                    : conflicts_ <= 20
-                        ? 6
-                        : 1 + (conflicts_ * 20 < edges) + (conflicts_ * 100 < edges) * 2;
 }
 
 std::size_t Negotiation::run(const Patience& patience) {
@@ -282,7 +231,7 @@ std::size_t Negotiation::run(const Patience& patience) {
     if (searches_ >= patience.searches) break;
     route_all(edges);
     edges = conflicts();
-    if (round >= 2 && (moves_early_ || edges.size() * 4 < graph_.num_edges())) {
+    if (round >= 2) {
       move_vertices(edges);
       edges = conflicts();
     }
@@ -296,8 +245,6 @@ std::size_t Negotiation::run(const Patience& patience) {
     if (round < rounds_of_all) {
       edges.resize(graph_.num_edges());
       for (EdgeId e = 0; e < graph_.num_edges(); ++e) edges[e] = e;
-    } else {
-      choose_lengths();
     }
   }
   return conflicts_;

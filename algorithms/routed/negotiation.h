@@ -35,7 +35,8 @@ struct Patience {
 class Negotiation {
  public:
   /// @param given  with all routes, or with none.
-  Negotiation(const Graph& graph, const Words& words, Routing given, std::uint64_t seed);
+  Negotiation(const Graph& graph, const PointClass& points, int bends, Routing given,
+              std::uint64_t seed);
 
   /// Routes edges anew, and moves vertices, until no point is shared.
   /// @return the number of edges in conflict that are left; 0: the routing is a drawing.
@@ -56,7 +57,7 @@ class Negotiation {
   };
 
   Spot start(EdgeId e) const { return now_.layout.at[graph_.edge(e).u]; }
-  End end(Vertex v, Directions arms) const;
+  End end(Vertex v) const { return {now_.layout.at[v], points_.frames()[now_.layout.frame[v]]}; }
   void put(EdgeId e) { box_.put(start(e), now_.routes[e]); }
   void take(EdgeId e) { box_.take(start(e), now_.routes[e]); }
   int cost_of(EdgeId e) const { return box_.cost_of(start(e), now_.routes[e]); }
@@ -64,13 +65,11 @@ class Negotiation {
   /// 1 if a route may be changed for one that costs the same.
   int tolerance() const { return conflicts_ * 4 < graph_.num_edges() ? 1 : 0; }
   std::vector<EdgeId> conflicts();
-  void choose_lengths();
 
   void route_all(std::vector<EdgeId>& edges);
   void route_group(std::span<const EdgeId> edges);
   void move_vertices(const std::vector<EdgeId>& edges);
   void move_group(std::span<Trial> trials);
-  bool propose(Vertex v, Trial& trial);
   void search_trial(Trial& trial, RouteSearch& search);
   bool settle(const Trial& trial);
   void place(Vertex v, Spot at, std::size_t frame);
@@ -80,16 +79,14 @@ class Negotiation {
                            const std::function<void(RouteSearch&, std::size_t)>& search);
 
   const Graph& graph_;
-  const Words& words_;
   const PointClass& points_;
+  std::vector<std::size_t> frames_;  // that a vertex may take
   Routing now_;
   CostBox box_;
   std::uint64_t seed_;
   RandomStream random_;
   std::vector<RouteSearch> searchers_;  // one for each thread
   std::size_t conflicts_;
-  bool moves_early_;  ///< with few bends few routes are free, and moving is what helps
-  Lengths lengths_;
   int price_ = 48;    // in sixteenths
   int increase_ = 8;  // of the history, in quarters
   std::uint64_t groups_ = 0;

@@ -98,7 +98,7 @@ bool keep_routing(const Algorithm& row, const Graph& graph, const PointClass& po
   const Limits first = first_box(points, options.bends, graph.num_vertices());
   refuse_too_large(row, options, first, CostBox::bytes(points, first));
   const auto routing = smallest_routing(
-      graph, Words::of(points, options.bends),
+      graph, points, options.bends,
       {.effort = options.effort, .most_bytes = std::int64_t{options.megabytes} * 1000000}, counts);
   if (!routing) return false;
   const Spot sides = routing->layout.limits.sides();

@@ -1,82 +1,75 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "ar3d/algorithms/routed/box.h"
-#include "ar3d/algorithms/routed/words.h"
+#include "ar3d/algorithms/routed/fields.h"
 #include "ar3d/base/random.h"
 
 namespace ar3d::routed {
 
-/// Says which lengths of chosen segments are tried: all of 1 ... near where two or three are
-/// chosen, and random longer ones. A single chosen segment takes every length.
-struct Lengths {
-  int near_of_three = 2;
-  int near_of_two = 10;
-  int random = 0;  ///< longer ones for three chosen segments; four times as many for two
-};
-
-/// A vertex as an end of a route.
-struct End {
+/// Where a vertex may go, and the arm of each of its edges there.
+struct Place {
   Spot at;
   std::size_t frame = 0;
-  Directions arms = 0;  ///< those of the frame that the route may use
+  std::array<std::uint8_t, 4> arms{};
 };
 
-/// Searches for cheap routes; one for each thread, for its tables.
+/// Searches for the cheapest routes, exactly; one for each thread, for its tables.
 class RouteSearch {
  public:
-  explicit RouteSearch(const Words& words);
+  RouteSearch(const PointClass& points, int bends)
+      : points_(points), bends_(bends), fields_(points) {}
 
-  /// Finds the cheapest route below `limit` among those tried, which passes no point twice.
-  /// @return its cost and the route; `limit` and none if there is none.
-  /// Cost: O(groups of words) and the points walked; no memory.
-  int find(const CostBox& box, const End& u, const End& v, int limit, const Lengths& lengths,
+  /// Finds the cheapest route below `limit`. Steps away from the ends are limited, further if
+  /// `is_wide`; what costs less than 4 times that limit is found for certain.
+  /// @return its cost and the route; `limit` and none if there is none that passes no point twice.
+  /// Cost: O(bends x directions x points of a window around the ends), 8 points at a time.
+  int find(const CostBox& box, const End& u, const End& v, int limit, bool is_wide,
            RandomStream& random, Route& found);
 
+  /// Finds the point at most `radius` from `now`, the frame and the arms with which routes to the
+  /// neighbours cost least in sum, each priced alone; one of several at random.
+  /// @param frames  that are allowed, as numbers.
+  /// @return the sum, and the place; `limit` if there is none below.
+  int find_place(const CostBox& box, Spot now, std::span<const End> neighbours,
+                 std::span<const std::size_t> frames, int radius, int limit, RandomStream& random,
+                 Place& found);
+
  private:
-  static constexpr std::size_t kMostLengths = 64;
-  struct Choices {
-    std::array<int, kMostLengths> length{};
-    int count = 0;
-    int largest = 0;
+  using Cost = CostFields::Cost;
+  static constexpr Cost kInfinite = CostFields::kInfinite;
+  /// The last turn of a route: to direction `into`, `left` steps before its end.
+  struct LastTurn {
+    int layer = -1;  // bends before it; -1: a straight route
+    int direction = 0;
+    int into = 0;
+    int left = 0;
+    friend bool operator==(const LastTurn&, const LastTurn&) = default;
   };
 
-  void fill_arms(const End& u, const End& v);
-  void fill_arm(std::vector<int>& costs, Spot from, int d);
-  void choose_lengths(const Lengths& lengths, RandomStream& random);
-  void choose(Choices& choices, int near, int others, RandomStream& random,
-              bool prefers_short) const;
-  void try_short_words(const End& u, const End& v);
-  void try_planar_words(const End& u, const End& v);
-  void try_groups(std::span<const WordGroup> groups, RandomStream& random);
-  bool is_hopeless(const WordGroup& group) const;
-  void try_group(const WordGroup& group);
-  void solve(const WordGroup& group, std::array<int, 3> rest, int chosen_steps);
-  void consider(std::size_t segments, const std::uint8_t* direction, int steps);
-  int middle_cost(std::size_t segments, const std::uint8_t* direction, int cost) const;
-  bool meets_itself(std::size_t segments, const std::uint8_t* direction);
+  int steps_between(Spot a, Spot b) const;
+  int best_end(const End& v, int limit, std::span<const LastTurn> excluded, RandomStream& random,
+               LastTurn& best) const;
+  void trace(const End& v, const LastTurn& last, RandomStream& random, Route& found) const;
+  int find_in_window(const End& v, int limit, RandomStream& random, Route& found);
+  bool meets_itself(const Route& route);
+  void list_places(const CostBox& box, Spot now, int radius);
+  void note_arrivals(std::size_t neighbour);
+  int cheapest_arms(std::size_t i, std::size_t neighbours, std::size_t frame, int limit,
+                    std::array<std::uint8_t, 4>& arms) const;
 
-  const Words& words_;
   const PointClass& points_;
-  const CostBox* box_ = nullptr;
-  Spot from_;
-  Spot across_;  // from u to v
-  Directions arms_u_ = 0;
-  Directions arms_v_ = 0;
-  int best_ = 0;
-  Route* found_ = nullptr;
-  int longest_ = 0;
-  std::array<int, kMostSegments> length_{};
-  std::array<int, 3> chosen_{};
-  /// Costs of the first l points from u in direction d, and of the last l into v.
-  std::array<std::vector<int>, kMostDirections> out_of_u_;
-  std::array<std::vector<int>, kMostDirections> into_v_;
-  std::array<Choices, 3> of_three_;
-  std::array<Choices, 2> of_two_;
-  std::vector<std::array<int, 3>> products_;           // by basis: rows . across
-  std::vector<std::pair<int, std::uint32_t>> passed_;  // a hash table of points: point, stamp
-  std::uint32_t stamp_ = 0;
+  int bends_;
+  CostFields fields_;
+  std::vector<std::size_t> passed_;
+  // The places of a vertex: rows of points, what they cost routes (-1: not free), a bound from below
+  // for the vertex there; least costs of arriving, by neighbour and arm.
+  std::vector<Spot> place_rows_;
+  std::size_t place_lanes_ = 0;
+  std::vector<int> place_costs_;
+  std::vector<int> bounds_;
+  std::array<std::array<std::vector<Cost>, kMostDirections>, 4> arrivals_;
 };
 
 }  // namespace ar3d::routed

@@ -1,5 +1,5 @@
-// Algorithms `routed` and `routed-120`: small graphs, unions and options; the search by words against
-// the plain search over all points, the check of routings against broken ones.
+// Algorithms `routed` and `routed-120`: small graphs, unions and options; the search against the
+// plain search over all points, the check of routings against broken ones.
 #include <bit>
 #include <functional>
 #include <map>
@@ -23,7 +23,6 @@ using routed::PointClass;
 using routed::Route;
 using routed::Routing;
 using routed::Spot;
-using routed::Words;
 
 const PointClass& class_of(bool is_body) {
   return is_body ? PointClass::body() : PointClass::face();
@@ -98,42 +97,101 @@ int plain_search(const CostBox& box, const PointClass& points, const End& u, con
   return CostBox::kNoRoute;
 }
 
-TEST(Routed, WordsOfThreeBendsFindWhatThePlainSearchFinds) {
-  std::map<int, int> equal;  // by number of bends
-  std::map<int, int> routes;
+/// Thirty vertices and thirty routes in a small box; the points of ten more, which are free.
+std::vector<Spot> fill(CostBox& box, const PointClass& points, RandomStream& random) {
+  std::vector<Spot> spots;
+  while (spots.size() < 40) {
+    const Spot p = {static_cast<int>(random.below(10)) - 3, static_cast<int>(random.below(9)),
+                    static_cast<int>(random.below(10))};
+    if (!points.contains(p) || box.has_vertex(box.index(p))) continue;
+    if (spots.size() < 30) box.put_vertex(box.index(p));
+    spots.push_back(p);
+  }
+  for (int i = 0; i < 30; ++i) {
+    const auto d =
+        static_cast<int>(random.below(static_cast<std::uint32_t>(points.num_directions())));
+    const Route route{1, {static_cast<std::uint8_t>(d)}, {4}};
+    const Spot from = spots[random.below(30)];
+    if (box.contains(from + 4 * points.step(d))) box.put(from, route);
+  }
+  box.remember_shared(3);
+  return spots;
+}
+
+TEST(Routed, TheSearchFindsWhatThePlainSearchFinds) {
   for (const bool is_body : {true, false}) {
     const PointClass& points = class_of(is_body);
-    for (const int bends : {3, 5}) {
-      const Words& words = Words::of(points, bends);
-      routed::RouteSearch search(words);
+    for (const int bends : {3, 4, 5}) {
+      routed::RouteSearch search(points, bends);
       RandomStream random(7);
+      int routes = 0, equal = 0;
       for (int go = 0; go < 60; ++go) {
         CostBox box(points, {{-3, 0, 0}, {6, 8, 9}});
-        std::vector<Spot> spots;
-        while (spots.size() < 40) {
-          const Spot p = {static_cast<int>(random.below(10)) - 3, static_cast<int>(random.below(9)),
-                          static_cast<int>(random.below(10))};
-          if (!points.contains(p) || box.has_vertex(box.index(p))) continue;
-          if (spots.size() < 30) box.put_vertex(box.index(p));
-          spots.push_back(p);
-        }
-        const auto frame = [&](std::size_t i) { return i % points.frames().size(); };
-        const End u{spots[0], frame(0), points.frames()[frame(0)]};
-        const End v{spots[1], frame(1 + is_body), points.frames()[frame(1 + is_body)]};
+        const std::vector<Spot> spots = fill(box, points, random);
+        const auto frame = [&](std::uint32_t i) {
+          return points.frames()[i % points.frames().size()];
+        };
+        const End u{spots[0], frame(random.below(8))};
+        const End v{spots[1], frame(random.below(8))};
         Route route;
-        const int cost = search.find(box, u, v, CostBox::kNoRoute, {2, 10, 8}, random, route);
+        const int cost = search.find(box, u, v, CostBox::kBlocked, true, random, route);
         const int plain = plain_search(box, points, u, v, bends);
-        EXPECT_GE(cost, plain);
+        EXPECT_GE(cost, std::min<int>(plain, CostBox::kBlocked));
+        if (plain < CostBox::kBlocked) ++routes;
         if (!route) continue;
-        ++routes[bends];
         EXPECT_EQ(cost, box.cost_of(u.at, route));
-        equal[bends] += cost == plain;
+        equal += cost == plain;
       }
+      EXPECT_GT(routes, 20);
+      EXPECT_GE(equal, routes - routes / 20) << "a walk that meets itself is no route";
     }
   }
-  EXPECT_GT(routes[3], 70);
-  EXPECT_EQ(equal[3], routes[3]);
-  EXPECT_GT(equal[5], routes[5] * 9 / 10) << "not all lengths are tried";
+}
+
+/// The least sum of costs at a point, by all choices of different arms of a frame.
+int plain_sum(const CostBox& box, const PointClass& points, Spot at, std::span<const End> ends,
+              Directions free, int bends) {
+  if (ends.empty()) return 0;
+  int least = CostBox::kBlocked;
+  for (int d = 0; d < points.num_directions(); ++d) {
+    if (!routed::has(free, d)) continue;
+    const End moved{at, static_cast<Directions>(1u << d)};
+    const int here = plain_search(box, points, ends[0], moved, bends);
+    if (here >= least) continue;
+    least = std::min(
+        least, here + plain_sum(box, points, at, ends.subspan(1), routed::without(free, d), bends));
+  }
+  return least;
+}
+
+TEST(Routed, TheBestPlaceOfAVertexIsThatOfAllPlaces) {
+  for (const bool is_body : {true, false}) {
+    const PointClass& points = class_of(is_body);
+    routed::RouteSearch search(points, 3);
+    RandomStream random(8);
+    for (int go = 0; go < 6; ++go) {
+      CostBox box(points, {{-3, 0, 0}, {6, 8, 9}});
+      const std::vector<Spot> spots = fill(box, points, random);
+      if (box.uses(box.index(spots[2])) > 0) continue;
+      const std::vector<End> ends = {{spots[0], points.frames()[0]},
+                                     {spots[1], points.frames()[0]}};
+      const std::size_t frame = is_body ? 0 : 3;
+      routed::Place found;
+      const int cost = search.find_place(box, spots[2], ends, std::array{frame}, 2,
+                                         CostBox::kBlocked, random, found);
+      CostBox without_it = box;
+      without_it.take_vertex(box.index(spots[2]));
+      int least = CostBox::kBlocked;
+      for (int i = 0; i < 5 * 5 * 5; ++i) {
+        const Spot p = spots[2] + Spot{i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2};
+        if (!points.contains(p) || !box.contains(p)) continue;
+        const int at = box.index(p);
+        if (!(p == spots[2]) && (box.has_vertex(at) || box.uses(at) > 0)) continue;
+        least = std::min(least, plain_sum(without_it, points, p, ends, points.frames()[frame], 3));
+      }
+      EXPECT_EQ(cost, least);
+    }
+  }
 }
 
 TEST(Routed, SmallGraphsAreRoutedAndCertified) {
@@ -169,7 +227,7 @@ TEST(Routed, OptionsOutOfRangeAndTooLittleMemoryAreRefused) {
 /// A routing of K4 that is a drawing.
 Routing routing_of_k4(const Graph& graph) {
   routed::BoxCounts counts;
-  const auto found = routed::smallest_routing(graph, Words::of(PointClass::body(), 3),
+  const auto found = routed::smallest_routing(graph, PointClass::body(), 3,
                                               {.effort = 0, .most_bytes = 1 << 20}, counts);
   return found.value();
 }
