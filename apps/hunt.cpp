@@ -3,22 +3,19 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
-#include "ar3d/base/new_file.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/search/trial.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/formats/drawings/drawing_svg.h"
 #include "ar3d/formats/graphs/graph6.h"
 #include "ar3d/model/settings.h"
 #include "commands.h"
+#include "hunt.h"
 #include "options.h"
 #include "outputs.h"
 #include "study.h"
@@ -27,55 +24,8 @@
 namespace ar3d {
 namespace {
 
-/// Holds which drawings, which share of which bound, and where the exhibit goes.
-struct HuntArguments {
-  std::string algorithm;
-  std::vector<std::string> settings;  // of the algorithm; of `hunt`, at first, of the family, too
-  std::string study;                  // whose program the algorithm may be
-  std::string seeded_fault;
-  std::string measure = "side";
-  std::string against = "theorem";
-  std::string output;
-  bool force = false;
-  std::vector<std::string> inputs;  // graphs to hunt from, or the one to shrink
-  std::string row;                  // given: the input is a results file, and its graph is meant
-  GraphInput reading;               // of it
-  std::string family = "all";       // of `hunt`, as the next two
-  std::vector<std::string> parameters;
-  HuntOptions hunting;
-  std::optional<double> ratio;  // of `shrink`, as the next one
-  std::uint64_t most_drawings = 100000;
-};
-
 /// The names of BoundShare.
 constexpr const char* kMeasures[] = {"side", "x", "y", "z", "volume"};
-constexpr EdgeId kMostEdgesInPicture = 2000;
-
-std::string algorithm_words(const HuntArguments& arguments) {
-  std::string words = " --algorithm " + shell_word(arguments.algorithm);
-  for (const std::string& option : arguments.settings) words += " --set " + shell_word(option);
-  if (!arguments.study.empty()) words += " --study " + shell_word(arguments.study);
-  return words;
-}
-
-/// The lines with which anybody sees the same again.
-std::string replay_lines(const Trial& trial, const HuntArguments& arguments) {
-  const std::string graph = shell_word(arguments.output + ".s6");
-  if (!arguments.study.empty()) {
-    return fmt::format("ar3d shrink {}{} -o {}\n", graph, algorithm_words(arguments),
-                       shell_word(arguments.output + "-again"));
-  }
-  const std::string lines =
-      fmt::format("ar3d verify {} --graphs {}\n", shell_word(arguments.output + ".jsonl"), graph);
-  const std::string draw = fmt::format("ar3d draw {}{}", graph, algorithm_words(arguments));
-  if (arguments.seeded_fault.empty()) {
-    return lines + fmt::format("{} | ar3d verify - --graphs {}\n", draw, graph);
-  }
-  return lines +
-         fmt::format("the fault {} is seeded: {} draws the graph right\n", arguments.seeded_fault,
-                     draw) +
-         (trial.failure.empty() ? "the seeded fault does not show\n" : "");
-}
 
 void add_subject_options(CLI::App& verb, HuntArguments& arguments) {
   verb.add_option(
@@ -93,19 +43,6 @@ void add_subject_options(CLI::App& verb, HuntArguments& arguments) {
                   "passed-bound");
   add_json(verb);
   add_force(verb, arguments.force);
-}
-
-/// The line that shrinks the graph of PREFIX.s6 and keeps what the trial shows: its violation, or
-/// its ratio to the last digit.
-std::string shrink_line(const Trial& trial, const HuntArguments& arguments) {
-  std::string line =
-      fmt::format("ar3d shrink {}{} --measure {} --bound {}", shell_word(arguments.output + ".s6"),
-                  algorithm_words(arguments), arguments.measure, arguments.against);
-  if (!arguments.seeded_fault.empty()) {
-    line += " --seeded-fault " + shell_word(arguments.seeded_fault);
-  }
-  if (trial.failure.empty()) line += fmt::format(" --ratio {}", trial.ratio);
-  return line + " -o " + shell_word(arguments.output + "-small");
 }
 
 /// @throws InputError if the exhibit would go to a stream, over the input or over somebody's
@@ -168,55 +105,6 @@ Subject subject_of(const HuntArguments& arguments) {
   return subject;
 }
 
-nlohmann::ordered_json trial_json(const Trial& trial, const HuntArguments& arguments) {
-  return {{"n", trial.graph.num_vertices()},
-          {"m", trial.graph.num_edges()},
-          {"extents", trial.extents},
-          {"bound", trial.bound},
-          {"measure", arguments.measure},
-          {"against", arguments.against},
-          {"ratio", trial.ratio},
-          {"failure", trial.failure},
-          {"message", trial.message}};
-}
-
-/// "extent x 12 of 16 (75.0 %), …; ratio 0.75", and the failure if there is one.
-std::string trial_text(const Trial& trial, const HuntArguments& arguments) {
-  std::string text = fmt::format(
-      "{} vertices, {} edges: box {} x {} x {} of {:.6g} x {:.6g} x {:.6g}; "
-      "{} is {:.4f} of the {}'s bound\n",
-      trial.graph.num_vertices(), trial.graph.num_edges(), trial.extents[0], trial.extents[1],
-      trial.extents[2], trial.bound[0], trial.bound[1], trial.bound[2], arguments.measure,
-      std::floor(trial.ratio * 1e4) / 1e4, arguments.against);
-  if (trial.failure.empty()) return text;
-  return text + fmt::format("VIOLATED: {}: {}\n", trial.failure, trial.message);
-}
-
-/// Writes PREFIX.s6 (the graph), PREFIX.jsonl (its drawing), PREFIX.svg (a picture, if it is small
-/// enough for one) and PREFIX.txt (what it shows and the lines that show it again), and prints
-/// their names. @throws InputError if one cannot be written.
-void write_exhibit(const Subject& subject, const Trial& trial, const HuntArguments& arguments) {
-  const std::string& prefix = arguments.output;
-  std::string graph;
-  append_sparse6(graph, trial.graph);
-  write_file_atomically(prefix + ".s6", graph);
-  const bool is_drawn = trial.failure != "internal_error" &&
-                        trial.failure != to_string(RunStatus::crashed) &&
-                        trial.failure != to_string(RunStatus::timeout);
-  if (is_drawn) {
-    const Drawing drawing = draw_subject(subject, trial.graph);
-    std::string line;
-    append_drawing_line(line, drawing);
-    write_file_atomically(prefix + ".jsonl", line);
-    if (trial.graph.num_edges() <= kMostEdgesInPicture) {
-      write_file_atomically(prefix + ".svg", drawing_to_svg(drawing));
-    }
-  }
-  const std::string lines = replay_lines(trial, arguments);
-  write_file_atomically(prefix + ".txt", trial_text(trial, arguments) + lines);
-  note(stdout, "wrote {}.txt and what it names\n{}", prefix, lines);
-}
-
 /// @param of_row  the graph of the row, if one is given.
 std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
                                           const Algorithm& algorithm,
@@ -269,14 +157,32 @@ int hunt_and_show(HuntArguments arguments) {
                {"starts", result.starts},
                {"from", result.start.family->name},
                {"start", which}});
-  tell(json, "{} graphs drawn and certified, {} starts; the best one comes from {} {}\n{}",
-       result.evaluations, result.starts, result.start.family->name, which,
-       trial_text(result.best, arguments));
+  const bool is_drawn = result.best.drawing != nullptr;
+  tell(json, "{} graphs drawn and certified, {} starts; the {} one comes from {} {}\n{}",
+       result.evaluations - (is_drawn ? 0 : 1), result.starts, is_drawn ? "best" : "next",
+       result.start.family->name, which, trial_text(result.best, arguments));
   if (!arguments.output.empty()) {
-    write_exhibit(subject, result.best, arguments);
+    write_exhibit(result.best, arguments);
     note(stdout, "{}\n", shrink_line(result.best, arguments));
   }
-  return result.best.failure.empty() ? kPass : kViolated;
+  return exit_code_of(result.best);
+}
+
+/// @throws InputError if the graph has nothing that could be kept.
+void refuse_unshrinkable(const Trial& whole, const HuntArguments& arguments) {
+  const std::string& graph = arguments.inputs[0];
+  if (whole.drawing && !arguments.failure.empty()) {
+    throw InputError(
+        fmt::format("{}: it is drawn, so there is no {} to keep", graph, arguments.failure));
+  }
+  if (arguments.ratio && !(whole.ratio >= *arguments.ratio)) {
+    throw InputError(
+        fmt::format("{}: its ratio is {}, less than {}", graph, whole.ratio, *arguments.ratio));
+  }
+  if (!arguments.ratio && whole.failure.empty()) {
+    throw InputError(
+        fmt::format("{}: its drawing is proved right; give --ratio to shrink it", graph));
+  }
 }
 
 int shrink_and_show(HuntArguments arguments) {
@@ -288,24 +194,30 @@ int shrink_and_show(HuntArguments arguments) {
   tell_notes(notes);
   const Subject subject = subject_of(arguments);
   const ExternalDrawer programs;
-  const Trial whole = try_graph(subject, graph);
-  const bool keeps_failure = !arguments.ratio;
-  if (keeps_failure && whole.failure.empty()) {
-    throw InputError(fmt::format("{}: its drawing is proved right; give --ratio to shrink it",
-                                 arguments.inputs[0]));
+  Trial least = try_graph(subject, graph);
+  if (!least.drawing && kind_of_failure(least) != arguments.failure) {
+    tell(trial_json(least, arguments), "{}--failure {} shrinks it all the same\n",
+         trial_text(least, arguments), kind_of_failure(least));
+    return exit_code_of(least);
   }
-  if (!keeps_failure && !(whole.ratio >= *arguments.ratio)) {
-    throw InputError(fmt::format("{}: its ratio is {}, less than {}", arguments.inputs[0],
-                                 whole.ratio, *arguments.ratio));
-  }
+  refuse_unshrinkable(least, arguments);
+  const std::string failure = least.failure;
   const ShrinkResult result = shrink(
       graph,
       [&](const Graph& candidate) {
-        const Trial trial = try_graph(subject, candidate);
-        return keeps_failure ? trial.failure == whole.failure : trial.ratio >= *arguments.ratio;
+        Trial trial;
+        try {
+          trial = try_graph(subject, candidate);
+        } catch (const InputError&) {  // its program refuses to draw it
+          return false;
+        }
+        const bool keeps = !arguments.failure.empty() ? kind_of_failure(trial) == arguments.failure
+                           : arguments.ratio ? trial.drawing && trial.ratio >= *arguments.ratio
+                                             : trial.drawing && trial.failure == failure;
+        if (keeps) least = std::move(trial);
+        return keeps;
       },
       arguments.most_drawings);
-  const Trial least = try_graph(subject, result.graph);
   nlohmann::ordered_json json = trial_json(least, arguments);
   json.update({{"evaluations", result.evaluations}, {"minimal", result.minimal}});
   tell(json, "{} of {} vertices and {} of {} edges are left after {} drawings{}\n{}",
@@ -313,8 +225,8 @@ int shrink_and_show(HuntArguments arguments) {
        graph.num_edges(), result.evaluations,
        result.minimal ? "; none can go" : "; the evaluations ran out",
        trial_text(least, arguments));
-  write_exhibit(subject, least, arguments);
-  return least.failure.empty() ? kPass : kViolated;
+  write_exhibit(least, arguments);
+  return exit_code_of(least);
 }
 
 }  // namespace
@@ -360,7 +272,7 @@ void add_hunt(CLI::App& app, int& exit_code) {
   verb->add_option("-o,--output", arguments->output,
                    "prefix of the files that show the best one: .s6, .jsonl, .svg, .txt");
   verb->footer(
-      "Exit code 4 if a drawing is violated.\n"
+      "Exit code 4 if a drawing is violated, 5 if a graph is not drawn.\n"
       "Example: ar3d hunt --algorithm diamond -n 40 --evaluations 5000 --measure z -o tall\n"
       "         ar3d hunt smoke.h5 0");
   verb->callback([arguments, &exit_code] { exit_code = hunt_and_show(*arguments); });
@@ -382,13 +294,17 @@ void add_shrink(CLI::App& app, int& exit_code) {
   verb->add_option("--ratio", arguments->ratio,
                    "keep the share of the bound at least this; else the violation stays")
       ->check(finite_number(true));
+  verb->add_option("--failure", arguments->failure,
+                   "shrink a graph that is not drawn, while its program ends so: timeout or crash")
+      ->check(one_of({"timeout", "crash"}))
+      ->excludes(verb->get_option("--ratio"));
   verb->add_option("--evaluations", arguments->most_drawings, "at most so many drawings")
       ->check(whole_number(1, 1000000000));
   verb->add_option("-o,--output", arguments->output,
                    "prefix of the files that show what is left: .s6, .jsonl, .svg, .txt")
       ->required();
   verb->footer(
-      "Exit code 4 if the drawing is violated.\n"
+      "Exit code 4 if the drawing is violated, 5 if the graph is not drawn.\n"
       "Example: ar3d shrink tall.s6 --algorithm diamond --measure z --ratio 0.8 -o small");
   verb->callback([arguments, &exit_code] { exit_code = shrink_and_show(*arguments); });
 }

@@ -1,6 +1,6 @@
 // System calls until they are done, and all processes that this one starts: forked ones go on here,
-// programs are executed. Each leads a group, so that one signal reaches whatever it has started, and
-// none outlives its parent.
+// programs are executed. Each leads a group, so that one signal reaches what it has started; what
+// left the group is found by a mark in its environment. None outlives its parent.
 #include "ar3d/base/system_calls.h"
 
 #include <fcntl.h>
@@ -18,8 +18,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <limits>
+#include <mutex>
 
 #include "ar3d/base/error.h"
 
@@ -43,6 +45,57 @@ std::size_t in_pieces(std::size_t size, const Step& step) {
 ssize_t or_failed(ssize_t written) {
   if (written == 0) errno = EIO;
   return written == 0 ? -1 : written;
+}
+
+// Orphans come to this process as long as it has children that may leave some. @param more  or
+// fewer of these children.
+void adopt_orphans_of(int more) {
+  static std::mutex mutex;
+  static pid_t process = 0;
+  static int children = 0, was_subreaper = 0;
+  const std::lock_guard lock(mutex);
+  if (std::exchange(process, getpid()) != getpid()) children = 0;  // those of a forked one's parent
+  if (children == 0) prctl(PR_GET_CHILD_SUBREAPER, &was_subreaper);
+  children += more;
+  prctl(PR_SET_CHILD_SUBREAPER, children > 0 ? 1 : was_subreaper);
+}
+
+std::string new_mark() {
+  static std::atomic<unsigned> number = 0;
+  return fmt::format("AR3D_CHILD_OF_{}_{}", getpid(), number++);
+}
+
+bool has_in_environment(pid_t process, const std::string& name) {
+  std::ifstream in(fmt::format("/proc/{}/environ", process), std::ios::binary);
+  for (std::string entry; std::getline(in, entry, '\0');) {
+    if (entry.starts_with(name + "=")) return true;
+  }
+  return false;
+}
+
+// Children of this process that have the name in their environment.
+std::vector<pid_t> children_with(const std::string& name) {
+  std::vector<pid_t> found;
+  std::error_code error;
+  for (std::filesystem::directory_iterator at("/proc/self/task", error), end; !error && at != end;
+       at.increment(error)) {
+    std::ifstream in(at->path() / "children");
+    for (pid_t process = 0; in >> process;) {
+      if (has_in_environment(process, name)) found.push_back(process);
+    }
+  }
+  return found;
+}
+
+// And their children, which come here as they end.
+void end_orphans(const std::string& mark) {
+  for (auto orphans = children_with(mark); !orphans.empty(); orphans = children_with(mark)) {
+    for (const pid_t orphan : orphans) {
+      ::kill(orphan, SIGKILL);
+      while (waitpid(orphan, nullptr, 0) < 0 && errno == EINTR) {
+      }
+    }
+  }
 }
 
 constexpr int kCannotRun = 127;
@@ -151,6 +204,7 @@ Child& Child::operator=(Child&& other) noexcept {
   status_ = other.status_;
   run_error_ = other.run_error_;
   socket_ = std::move(other.socket_);
+  mark_ = std::exchange(other.mark_, "");
   return *this;
 }
 
@@ -171,13 +225,16 @@ Child Child::forked(ChildSetup setup, const std::function<int(int)>& body) {
   if (setup.kept) std::sort(setup.kept->begin(), setup.kept->end());
   const pid_t parent = getpid();
   Child child;
+  std::string mark = setup.starts_programs ? new_mark() : "";
   child.pid_ = fork_or_refuse("a process");
   if (child.pid_ > 0) {
     child.socket_ = std::move(ours);
+    child.take_orphans(std::move(mark));
     return child;
   }
   ours = Descriptor();
   become_child(parent, setup);
+  if (!mark.empty()) setenv(mark.c_str(), "1", 1);
   if (setup.kept) close_all_but(*setup.kept);
   int code = 1;
   try {
@@ -192,6 +249,11 @@ Child Child::of_program(std::vector<std::string> words, const ChildSetup& setup)
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  std::string mark = new_mark();
+  std::string entry = mark + "=1";
+  std::vector<char*> environment = {entry.data()};
+  for (char** at = environ; at != nullptr && *at != nullptr; ++at) environment.push_back(*at);
+  environment.push_back(nullptr);
   auto [failure, theirs] = new_pipe();
   const pid_t parent = getpid();
   Child child;
@@ -199,15 +261,21 @@ Child Child::of_program(std::vector<std::string> words, const ChildSetup& setup)
   if (child.pid_ == 0) {
     become_child(parent, setup);
     close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // journals and graphs are none of its business
-    execvp(arguments[0], arguments.data());
+    execvpe(arguments[0], arguments.data(), environment.data());
     const int error = errno;
     write_whole(theirs.get(), {reinterpret_cast<const char*>(&error), sizeof error});
     _exit(kCannotRun);
   }
+  child.take_orphans(std::move(mark));
   theirs = Descriptor();
   while (read(failure.get(), &child.run_error_, sizeof child.run_error_) < 0 && errno == EINTR) {
   }
   return child;
+}
+
+void Child::take_orphans(std::string mark) {
+  mark_ = std::move(mark);
+  if (!mark_.empty()) adopt_orphans_of(+1);
 }
 
 bool Child::has_ended() {
@@ -237,6 +305,10 @@ int Child::finish() {
   while (waitpid(-pid_, nullptr, 0) > 0 || errno == EINTR) {  // orphans of the group that came here
   }
   pid_ = -1;
+  if (mark_.empty()) return status_;
+  end_orphans(mark_);
+  adopt_orphans_of(-1);
+  mark_.clear();
   return status_;
 }
 

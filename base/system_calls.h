@@ -42,13 +42,15 @@ struct ChildSetup {
   std::array<int, 3> streams = {-1, -1, -1};  ///< its standard ones; -1: those of this process
   /// Holds other descriptors that stay open in a forked process; nothing: all. A program has none.
   std::optional<std::vector<int>> kept = {};
-  int core = -1;               ///< the only core it may use; -1: as this process
-  int death_signal = SIGKILL;  ///< it comes when the thread that started the child ends
+  int core = -1;                ///< the only core it may use; -1: as this process
+  int death_signal = SIGKILL;   ///< it comes when the thread that started the child ends
+  bool starts_programs = true;  ///< false: a forked one starts none that could be left behind
 };
 
 /// Represents a child process in a process group of its own, without a core file. It ends with this
-/// object, and so does all that it has started, unless that has left the group. To be used by one
-/// thread.
+/// object, and so does all that it has started, in whatever group: what it leaves behind comes to
+/// this process, where a variable in the environment of programs tells it from what others have
+/// started. To be used by one thread. Every program and process of this one is started here.
 class Child {
  public:
   Child() = default;
@@ -79,12 +81,14 @@ class Child {
   double cpu_s() const;
 
  private:
+  void take_orphans(std::string mark);
   int finish();
 
   pid_t pid_ = -1;
   int status_ = 0;
   int run_error_ = 0;
   Descriptor socket_;
+  std::string mark_;  // the variable's name; empty: nothing is left behind
 };
 
 /// Makes a pipe. @return the end to read from and the end to write to. @throws InputError if there

@@ -7,7 +7,6 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,13 +14,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <new>
 #include <sstream>
 #include <string_view>
@@ -43,41 +39,6 @@ void note(int) { g_is_interrupted = true; }
 void note_first(int signal) {
   g_is_interrupted = true;
   std::signal(signal, SIG_DFL);
-}
-
-// The process whose child a process is; 0: it is gone.
-pid_t parent_of(pid_t process) {
-  std::ifstream in(fmt::format("/proc/{}/stat", process));
-  std::string line;
-  std::getline(in, line);
-  const std::size_t name_end = line.rfind(')');  // the name may hold anything
-  char state = 0;
-  pid_t parent = 0;
-  if (name_end == std::string::npos) return 0;
-  return std::sscanf(line.c_str() + name_end + 1, " %c %d", &state, &parent) == 2 ? parent : 0;
-}
-
-bool has_in_environment(pid_t process, const std::string& name) {
-  std::ifstream in(fmt::format("/proc/{}/environ", process), std::ios::binary);
-  for (std::string entry; std::getline(in, entry, '\0');) {
-    if (entry.starts_with(name + "=")) return true;
-  }
-  return false;
-}
-
-// Children of this process that have the name in their environment.
-std::vector<pid_t> children_with(const std::string& name) {
-  std::vector<pid_t> found;
-  std::error_code error;
-  for (std::filesystem::directory_iterator at("/proc", error), end; !error && at != end;
-       at.increment(error)) {
-    const std::string number = at->path().filename().string();
-    pid_t process = 0;
-    const auto read = std::from_chars(number.data(), number.data() + number.size(), process);
-    if (read.ptr != number.data() + number.size() || parent_of(process) != getpid()) continue;
-    if (has_in_environment(process, name)) found.push_back(process);
-  }
-  return found;
 }
 
 /// Looks every 20 ms whether the child has ended or is to.
@@ -179,32 +140,6 @@ Interruptible::~Interruptible() {
 }
 
 bool is_interrupted() { return g_is_interrupted; }
-
-Orphanage::Orphanage()
-    : mark_(fmt::format("AR3D_CHILD_OF_{}_{:x}", getpid(),
-                        std::chrono::steady_clock::now().time_since_epoch().count())) {
-  setenv(mark_.c_str(), "1", 1);
-  prctl(PR_GET_CHILD_SUBREAPER, &was_subreaper_);
-  prctl(PR_SET_CHILD_SUBREAPER, 1);
-}
-
-Orphanage::~Orphanage() {
-  end_orphans();
-  prctl(PR_SET_CHILD_SUBREAPER, was_subreaper_);
-  unsetenv(mark_.c_str());
-}
-
-void Orphanage::end_orphans() const {
-  for (bool any = true; any;) {  // the children of one that ends come here, too
-    any = false;
-    for (const pid_t process : children_with(mark_)) {
-      if (kill(process, SIGKILL) != 0) continue;
-      any = true;
-      while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
-      }
-    }
-  }
-}
 
 int run_child(const std::vector<std::string>& words, const ChildOptions& options) {
   const Descriptor log(

@@ -32,24 +32,6 @@ class Interruptible {
 /// Returns true once the living Interruptible was asked to stop. Safe in every thread.
 bool is_interrupted();
 
-/// While an object of this class lives, what programs of this process leave behind when they end
-/// comes to this process, and end_orphans() and the destructor end it, whatever group it is in. A
-/// variable in the environment of these programs tells them from other processes, which are left
-/// alone. No program of this process may run when orphans are ended, unless another process has
-/// started it. To be made and destroyed while no other thread runs.
-class Orphanage {
- public:
-  Orphanage();
-  Orphanage(const Orphanage&) = delete;
-  Orphanage& operator=(const Orphanage&) = delete;
-  ~Orphanage();
-  void end_orphans() const;
-
- private:
-  std::string mark_;
-  int was_subreaper_ = 0;
-};
-
 struct ChildOptions {
   std::string output = {};  ///< file that takes its standard output and error
   int core = -1;            ///< the only core it may use; -1: as this process

@@ -71,7 +71,6 @@ void execute(RowSource& source, const WorkerPool& pool) {
   if (session.policy().isolate || session.plan().budget.limits_rows()) {
     work_in_processes(source, pool);
   } else {
-    const Orphanage orphanage;  // of programs that draw
     work_in_threads(source, pool);
   }
 }

@@ -182,7 +182,6 @@ class WorkerPlace {
         core_(pool.cores.empty() ? -1 : pool.cores.at(static_cast<std::size_t>(number))) {}
 
   bool busy() const { return job_.has_value(); }
-  bool has_worker() const { return worker_ != nullptr; }
   int descriptor() const { return worker_->child.socket(); }
   // Seconds until the row can be late at the earliest; 0: it is late.
   double left_s() const {
@@ -308,7 +307,6 @@ void wait_for_news(const std::vector<WorkerPlace>& places) {
 
 void work_in_processes(RowSource& source, const WorkerPool& pool) {
   const auto stopped = [&] { return source.session().stopped(); };
-  const Orphanage orphanage;
   AwakeClock clock;
   std::vector<WorkerPlace> places;
   places.reserve(static_cast<std::size_t>(pool.workers));
@@ -326,7 +324,6 @@ void work_in_processes(RowSource& source, const WorkerPool& pool) {
         place.time_out();
         done = true;
       }
-      if (done && !place.has_worker()) orphanage.end_orphans();
       if (done && !stopped()) place.begin_next();
     }
   }

@@ -136,8 +136,6 @@ Drawing seed_passed_bound(const Graph& graph, const Drawing& drawing, const Guar
   });
 }
 
-}  // namespace
-
 Drawing draw_subject(const Subject& subject, const Graph& graph) {
   const Algorithm& algorithm = *subject.choice.algorithm;
   Drawing drawing = draw(algorithm, graph, subject.choice.options);
@@ -145,11 +143,14 @@ Drawing draw_subject(const Subject& subject, const Graph& graph) {
                                   : subject.fault->plant(graph, drawing, algorithm.guarantee);
 }
 
+}  // namespace
+
 Trial try_graph(const Subject& subject, Graph graph) {
   Trial trial;
   trial.graph = std::move(graph);
   try {
-    const Drawing drawing = draw_subject(subject, trial.graph);
+    trial.drawing = std::make_shared<const Drawing>(draw_subject(subject, trial.graph));
+    const Drawing& drawing = *trial.drawing;
     trial.extents = bounding_box(drawing).extents();
     trial.bound = bound_of(subject, trial.graph, drawing);
     const Algorithm& algorithm = *subject.choice.algorithm;
@@ -166,6 +167,7 @@ Trial try_graph(const Subject& subject, Graph graph) {
     trial.failure = to_string(failure.status());
     trial.message = failure.what();
   } catch (const InternalError& error) {
+    trial.drawing.reset();
     trial.failure = "internal_error";
     trial.message = error.what();
   }

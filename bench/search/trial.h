@@ -49,21 +49,20 @@ struct Subject {
 /// Describes one graph drawn and judged.
 struct Trial {
   Graph graph;
+  std::shared_ptr<const Drawing> drawing;  ///< null: there is none, and `failure` says why
   std::array<std::int64_t, 3> extents{};
   std::array<double, 3> bound{};
   /// Holds extent / bound; for volume the product of (extent + 1) / (bound + 1). 0 without a
   /// positive bound.
   double ratio = 0;
-  std::string
-      failure;  ///< kind of the first violation, "internal_error", how a program failed, or empty
+  /// Holds the kind of the first violation; of a graph that is not drawn, how its program failed
+  /// (timeout, crashed) or "internal_error"; else nothing.
+  std::string failure;
   std::string message;  ///< of the failure
 };
 
-/// @throws InputError if the graph lies outside the guarantee.
-Drawing draw_subject(const Subject& subject, const Graph& graph);
-
-/// Draws and certifies; a broken invariant of the algorithm is a failure like a violation.
-/// @throws InputError as above, and if an instance's bound counts and there is none.
+/// Draws and certifies, once. @throws InputError if the graph lies outside the guarantee, and if an
+/// instance's bound counts and there is none.
 Trial try_graph(const Subject& subject, Graph graph);
 
 }  // namespace ar3d

@@ -62,8 +62,9 @@ ReaderProcess::ReaderProcess(std::string path, const Descriptor& file, const Ans
     : path_(std::move(path)), limit_s_(limit_s) {
   const Descriptor nothing(open("/dev/null", O_WRONLY | O_CLOEXEC));
   // Standard error takes what a library says when it breaks.
-  child_ =
-      Child::forked({.streams = {-1, -1, nothing.get()}, .kept = {{file.get()}}}, [&](int socket) {
+  child_ = Child::forked(
+      {.streams = {-1, -1, nothing.get()}, .kept = {{file.get()}}, .starts_programs = false},
+      [&](int socket) {
         answer_all(socket, answers);
         return 0;
       });
