@@ -4,17 +4,20 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/apps/view.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/base/system_calls.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/catalog.h"
@@ -35,6 +38,21 @@ Settings settings_of(const Values& values) {
   Settings settings;
   for (const auto& [name, value] : values) settings.push_back({name, value});
   return settings;
+}
+
+/// @throws InputError if the system would cut the name at a byte 0.
+const std::string& whole(const std::string& path) {
+  if (path.find('\0') == std::string::npos) return path;
+  throw InputError("the name of a file has a byte 0: '" + path.substr(0, path.find('\0')) + "…'");
+}
+
+/// An object of a class without a constructor, made past C++, would be read uninitialised.
+template <class Class>
+void refuse_new(Class& made_here) {
+  made_here.def_static("__new__", [](const py::handle& type, const py::args&, const py::kwargs&) {
+    throw py::type_error(py::str(type.attr("__name__")).cast<std::string>() +
+                         " has no constructor; ar3d makes it");
+  });
 }
 
 /// An array over memory that `owner` keeps alive, not to be written to.
@@ -75,7 +93,9 @@ Graph graph_of(std::uint64_t num_vertices, const py::array_t<std::int64_t>& pair
       return static_cast<Vertex>(id);
     }
     throw InputError("edge " + std::to_string(e) + " has the vertex " + std::to_string(id) +
-                     ", but vertices are 0 to " + std::to_string(num_vertices) + " - 1");
+                     (num_vertices == 0
+                          ? ", but there are no vertices"
+                          : ", but vertices are 0 to " + std::to_string(num_vertices - 1)));
   };
   for (py::ssize_t e = 0; e < at.shape(0); ++e) edges.push_back({end_of(e, 0), end_of(e, 1)});
   const py::gil_scoped_release released;
@@ -198,7 +218,15 @@ std::string text_of(const Graph& graph) {
 
 void add_graph(py::module_& module) {
   py::class_<Graph> graph(module, "Graph", "A simple undirected graph with vertices 0 to n - 1.");
-  graph.def(py::init(&graph_of), py::arg("num_vertices"), py::arg("edges"));
+  // Whole when it is made: what py::init makes could be read before its constructor has run.
+  graph.def_static(
+      "__new__",
+      [](const py::handle&, std::uint64_t num_vertices, const py::array_t<std::int64_t>& edges) {
+        return graph_of(num_vertices, edges);
+      },
+      py::arg("type"), py::arg("num_vertices"), py::arg("edges"));
+  graph.attr("__init__") =
+      py::cpp_function([](const py::args&, const py::kwargs&) {}, py::is_method(graph));
   graph.def_property_readonly("num_vertices", &Graph::num_vertices);
   graph.def_property_readonly("num_edges", &Graph::num_edges);
   graph.def_property_readonly("max_degree", &Graph::max_degree);
@@ -235,12 +263,13 @@ std::string text_of(const PythonDrawing& drawing) {
 void save(const PythonDrawing& drawing, const std::string& path, const std::string& format,
           bool force) {
   const DrawingFormat& row = drawing_format(format, path);
-  if (!force && path != "-" && std::filesystem::exists(path)) {
-    PyErr_SetString(PyExc_FileExistsError, (path + " exists; force=True replaces it").c_str());
+  if (!force && path != "-" && std::filesystem::exists(whole(path))) {
+    PyErr_SetString(PyExc_FileExistsError,
+                    (printable(path) + " exists; force=True replaces it").c_str());
     throw py::error_already_set();
   }
   const py::gil_scoped_release released;
-  write_drawing(row, drawing.drawing, "the drawing", path);
+  write_drawing(row, drawing.drawing, "the drawing", whole(path));
 }
 
 void add_drawing(py::module_& module) {
@@ -267,9 +296,14 @@ void add_drawing(py::module_& module) {
   property("names", [](const PythonDrawing& d) {
     return d.drawing.names == nullptr ? std::vector<std::string>() : *d.drawing.names;
   });
-  drawing.def(py::pickle(&line_of, [](const std::string& line) {
+  drawing.def("__reduce__", [](const PythonDrawing& d) {
+    return py::make_tuple(py::module_::import("ar3d").attr("_unpickled"),
+                          py::make_tuple(line_of(d)));
+  });
+  module.def("unpickled", [](const std::string& line) {
     return drawings_in(TextInput("the pickle", bytes_of(line))).at(0);
-  }));
+  });
+  refuse_new(drawing);
   drawing.def("__repr__", [](const PythonDrawing& d) { return text_of(d); });
 }
 
@@ -284,6 +318,7 @@ std::vector<std::string> messages_of(const Certificate& certificate) {
 void add_certificate(py::module_& module) {
   py::class_<Certificate> certificate(module, "Certificate",
                                       "What a proof in exact integers found.");
+  refuse_new(certificate);
   certificate.def_property_readonly("valid", &Certificate::valid);
   certificate.def_readonly("complete", &Certificate::complete);
   certificate.def_property_readonly("violations", &messages_of);
@@ -321,6 +356,13 @@ std::vector<std::string> names_in(const Rows& rows) {
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of ar3d.";
+  py::register_local_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(std::move(thrown));
+    } catch (const InputError& error) {
+      PyErr_SetString(PyExc_ValueError, printable(error.what()).c_str());
+    }
+  });
   register_program_formats();
   respect_quota();
   module.attr("__version__") = AR3D_VERSION;
@@ -329,12 +371,12 @@ PYBIND11_MODULE(_core, module) {
   add_certificate(module);
   module.def("draw", &draw_graph, py::arg("graph"), py::arg("algorithm"), py::arg("options"),
              py::arg("names"));
-  module.def("load", [](const std::string& path) { return drawings_in(TextInput(path)); });
+  module.def("load", [](const std::string& path) { return drawings_in(TextInput(whole(path))); });
   module.def("graph_in", [](const std::string& text, const std::string& what) {
     return only_graph(GraphReader(TextInput(what, bytes_of(text + "\n"))), what);
   });
   module.def("graph_of_file",
-             [](const std::string& path) { return only_graph(GraphReader(path), path); });
+             [](const std::string& path) { return only_graph(GraphReader(whole(path)), path); });
   module.def("ends_of_heading", [](const std::vector<std::string>& columns) {
     ListRow row;
     for (const std::string& column : columns) row.push_back({column});

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import operator
 import os
+import re
 import warnings
 from typing import Any, Union
 
@@ -100,7 +101,7 @@ def _settings(values: dict[str, Any]) -> dict[str, int]:
 
 
 def _name(value: Any, what: str) -> str:
-    if not isinstance(value, str):
+    if not isinstance(value, str) or "\0" in value:
         raise ValueError(f"{what} is a name, not {value!r}")
     return value
 
@@ -169,6 +170,11 @@ def draw(graph: GraphLike, algorithm: str | None = None, **options: int) -> Draw
 def load(path: Any) -> list[Drawing]:
     """The drawings of a file of JSON lines, as `ar3d draw` and Drawing.save write it. Raises ValueError where it is none."""
     return _core.load(os.fspath(path))
+
+
+def _unpickled(line: str) -> Drawing:
+    """The drawing of a pickle, which names this function: pickle finds no function of a compiled module. Raises ValueError where there is none."""
+    return _core.unpickled(line)
 
 
 def _html_of(drawing: Drawing) -> str:
@@ -241,9 +247,13 @@ def read_results(path: Any, table: str = "runs") -> Any:
     return frame
 
 
+def _toml_key(key: Any) -> str:
+    return key if re.fullmatch("[A-Za-z0-9_-]+", _name(key, "a key")) else _toml(key)
+
+
 def _toml(value: Any) -> str:
     if isinstance(value, dict):
-        return "{" + ", ".join(f"{key} = {_toml(one)}" for key, one in value.items()) + "}"
+        return "{" + ", ".join(f"{_toml_key(key)} = {_toml(one)}" for key, one in value.items()) + "}"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(map(_toml, value)) + "]"
     import json
@@ -268,7 +278,7 @@ def run_study(study: Any, output: Any = None, *arguments: str) -> Any:
         raise FileNotFoundError("the program ar3d is not in $PATH; $AR3D says where it is")
     with tempfile.TemporaryDirectory() as folder:
         if isinstance(study, dict):
-            text = "".join(f"{key} = {_toml(value)}\n" for key, value in study.items())
+            text = "".join(f"{_toml_key(key)} = {_toml(value)}\n" for key, value in study.items())
             study = os.path.join(folder, "study.toml")
             with open(study, "w", encoding="utf-8") as file:
                 file.write(text)

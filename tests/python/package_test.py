@@ -1,4 +1,5 @@
 """The Python package, as its users import it. Run by ctest (python.package) with PYTHONPATH=build/…/python."""
+import contextlib
 import os
 import pathlib
 import pickle
@@ -100,6 +101,8 @@ class Draw(unittest.TestCase):
         self.assertEqual(list(rows.n), [5, 9])
         with self.assertRaisesRegex(ValueError, "unknown family 'circle'"):
             ar3d.run_study({"study": "t", "sweep": [{"families": "circle", "sizes": 5, "algorithms": "diamond"}]})
+        with self.assertRaisesRegex(ValueError, "key 'seed = 1.*study'"):
+            ar3d.run_study({"study": "t", "seed = 1\nstudy": "u"})
 
     def test_is_saved_as_the_program_writes_it_and_replaced_if_asked(self):
         drawing = ar3d.draw(networkx.petersen_graph(), "grid")
@@ -193,7 +196,10 @@ class BadInput(unittest.TestCase):
             (lambda: ar3d.draw([(0.5, 1)]), "integers"),
             (lambda: ar3d.draw([1, 2, 3]), "shape"),
             (lambda: ar3d.draw(numpy.array([[0, 2**63]], dtype=numpy.uint64)), "64 bits"),
-            (lambda: ar3d.as_graph([(0, 9)], 5), "9"),
+            (lambda: ar3d.as_graph([(0, 9)], 5), "vertices are 0 to 4"),
+            (lambda: ar3d.as_graph([(0, 9)], 0), "there are no vertices"),
+            (lambda: ar3d.generate("x\x1b[31m", 10), "x\\x1b[31m"),
+            (lambda: ar3d.generate("x\0y", 10), "x\\x00y"),
             (lambda: ar3d.as_graph([], -1), "-1"),
             (lambda: ar3d.draw(scipy.sparse.csr_matrix((2, 3))), "square"),
             (lambda: ar3d.draw(scipy.sparse.identity(3)), "0"),
@@ -223,7 +229,32 @@ class BadInput(unittest.TestCase):
             with self.assertRaises(ValueError) as caught:
                 call()
             self.assertIn(word, str(caught.exception))
-            self.assertNotIn("\n", str(caught.exception))
+            self.assertTrue(str(caught.exception).isprintable())
+
+    def test_what_was_not_made_by_ar3d_is_no_object_of_its_classes(self):
+        for made in (ar3d.Drawing, ar3d.Certificate, ar3d.Graph):
+            for call in (made, lambda made=made: made.__new__(made), lambda made=made: object.__new__(made)):
+                self.assertRaises(TypeError, call)
+        drawing = ar3d.draw([(0, 1), (1, 2)])
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            text = pickle.dumps(drawing, protocol)
+            self.assertEqual(repr(pickle.loads(text)), repr(drawing))
+            for end in range(len(text)):  # a pickle that is cut, and ended
+                with contextlib.suppress(Exception):
+                    self.assertNotIsInstance(pickle.loads(text[:end] + b"."), ar3d.Drawing)
+
+    def test_a_byte_0_cuts_no_file_name(self):
+        drawing = ar3d.draw([(0, 1)])
+        with tempfile.TemporaryDirectory() as folder:
+            for call in (lambda: drawing.save(f"{folder}/a\0b.jsonl"), lambda: drawing.save(f"{folder}/a\0b.jsonl", force=True),
+                         lambda: ar3d.load(f"{folder}/a\0b.jsonl")):
+                with self.assertRaisesRegex(ValueError, "byte 0"):
+                    call()
+            self.assertEqual(os.listdir(folder), [])
+            drawing.save(f"{folder}/\x1b[31m.jsonl")
+            with self.assertRaises(FileExistsError) as caught:
+                drawing.save(f"{folder}/\x1b[31m.jsonl")
+            self.assertTrue(str(caught.exception).isprintable())
 
 
 class Results(unittest.TestCase):
