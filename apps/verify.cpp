@@ -90,8 +90,17 @@ JudgedLine judge(const LineToJudge& task, const VerifyArguments& arguments) {
         graph, drawing, promise.guarantee, {.certificate = true, .metrics = false, .hash = false},
         {.crossing_test = crossing_test(arguments.test),
          .check_size = promise.has_box,
-         .mode = parse_certificate_mode(arguments.certificate)});
+         .mode = parse_certificate_mode(arguments.certificate),
+         .compares = [&](std::uint64_t pairs) {
+           note(stderr, "ar3d: {}: compares {} pairs of segments\n", task.where, pairs);
+         }});
     const Certificate& certificate = examination.certificate;
+    if (certificate.given_up && certificate.violations.empty()) {
+      return {LineVerdict::unknown,
+              fmt::format("{}: not judged: its segments need more than {} comparisons, as they lie "
+                          "in one plane or side by side\n",
+                          task.where, kMostComparisons)};
+    }
     std::string text;
     for (const Violation& violation : certificate.violations) {
       text += fmt::format("{}: {}: {}\n", task.where, to_string(violation.kind), violation.message);

@@ -106,8 +106,12 @@ class ExaminationPass {
 
 /// False if it gave up.
 bool check_crossings(const Segments& segments, const CertifyOptions& options, Findings& findings) {
-  Contacts contacts(segments, findings, options.most_comparisons);
-  if (options.crossing_test == CrossingTest::all_pairs) {
+  const bool is_oracle = options.crossing_test == CrossingTest::all_pairs;
+  Contacts contacts(
+      segments, findings,
+      options.most_comparisons == 0 && !is_oracle ? kMostComparisons : options.most_comparisons);
+  contacts.compares = options.compares;
+  if (is_oracle) {
     test_all_pairs(segments, contacts);
   } else {
     test_by_slabs(segments, contacts);

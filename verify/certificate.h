@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +38,12 @@ struct CertifyOptions {
   /// Holds how many pairs of segments and vertices the crossing test may compare before it gives
   /// up; 0: as many as it takes. With a limit there is no proof by counting.
   std::uint64_t most_comparisons = 0;
+  /// Is told how many pairs a crossing test may compare that takes long; empty: nobody is.
+  std::function<void(std::uint64_t pairs)> compares = {};
 };
+
+/// Holds after how many comparisons of pairs every crossing test but the oracle gives up.
+inline constexpr std::uint64_t kMostComparisons = 20'000'000'000;
 
 /// The verdict on one drawing: proved right iff valid().
 struct Certificate {
@@ -48,7 +54,7 @@ struct Certificate {
   std::vector<Violation> violations;
   bool complete = false;  ///< false until judged, when max_violations cut the list, or a coordinate
                           ///< is out of range
-  bool given_up = false;  ///< most_comparisons were too few: crossings were not all looked for
+  bool given_up = false;  ///< too many comparisons: crossings were not all looked for
   Box box;                ///< of all vertices and bends; the origin if a coordinate is out of range
   std::vector<std::uint64_t> bend_histogram;  ///< entry b: number of edges with b bends
   std::uint64_t segments = 0;

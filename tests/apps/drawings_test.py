@@ -291,5 +291,37 @@ class Threads(Program):
             self.expect(f"ar3d verify d.jsonl --threads {threads}", 2)
 
 
+class OnePlane(Program):
+    VERIFY = "ar3d verify f.jsonl --bends 0 --cosine=-1/3 --at-least "
+
+    def fan(self, size, wrong=()):
+        """Segments side by side in one plane, whose boxes all meet. @param wrong  places whose upper ends are exchanged with the next one's."""
+        high = 10 ** 6
+        tops = [40 * i + i + high for i in range(size)]
+        for i in wrong:
+            tops[i], tops[i + 1] = tops[i + 1], tops[i]
+        points = [point for i in range(size) for point in ([40 * i, 0, 7], [tops[i], high, 7])]
+        edges = [[2 * i, 2 * i + 1, []] for i in range(size)]
+        write("f.jsonl", json.dumps({"n": 2 * size, "algorithm": "mine", "gram": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gram_denominator": 1,
+                                     "vertices": points, "edges": edges}) + "\n")
+
+    def test_segments_side_by_side_are_proved_and_a_crossing_is_named(self):
+        self.fan(5000)
+        self.expect(self.VERIFY, 0, "1 certified")
+        self.fan(5000, wrong=[17, 3000])
+        said = self.expect(self.VERIFY, 4, ["crossing: edge 17 (34-35)", "crossing: edge 3000 (6000-6001)"])
+        self.assertEqual(said.out.count("crossing"), 2)
+        for test in ("all-pairs", "slabs"):
+            self.assertEqual(run(self.VERIFY + "--crossing-test " + test).out, said.out)
+
+
+class OnePlaneLong(OnePlane):
+    def test_100000_are_proved_and_300000_end_with_a_word(self):
+        self.fan(100000)
+        self.expect(self.VERIFY, 0, "1 certified", "f.jsonl:1: compares 4999950000 pairs of segments")
+        self.fan(300000)
+        self.expect(self.VERIFY, 5, "f.jsonl:1: not judged: its segments need more than 20000000000 comparisons", "f.jsonl:1: compares 44999850000 pairs")
+
+
 if __name__ == "__main__":
     main()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -22,6 +23,8 @@ class Contacts {
   /// Looks for the narrowest integers that decide every meeting of the drawing. O(S).
   /// @param most_comparisons  to be made; 0: no limit.
   Contacts(const Segments& segments, Findings& findings, std::uint64_t most_comparisons = 0);
+
+  std::function<void(std::uint64_t pairs)> compares;  ///< CertifyOptions::compares
 
   /// Two different segments that may meet.
   void examine(SegmentId a, SegmentId b);

@@ -65,7 +65,7 @@ void examine_slab(const Segments& segments, std::span<const DrawnItem> items, Co
   };
   constexpr std::size_t kFew = 48;  // items in a cell
   contacts.spend(for_each_near_pair(static_cast<std::uint32_t>(items.size()), at, visit, kFew,
-                                    contacts.comparisons_left()));
+                                    contacts.comparisons_left(), contacts.compares));
 }
 
 }  // namespace

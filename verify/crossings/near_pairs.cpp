@@ -1,5 +1,5 @@
-// Where space is halved, so that few segments are cut, and a filter in double that drops pairs
-// which surely do not meet; Lemma V.9 bounds its errors.
+// Where space is halved, so that few segments are cut, and filters in double that drop pairs which
+// surely do not meet; Lemmas V.9 and V.10 bound their errors.
 #include "ar3d/verify/crossings/near_pairs.h"
 
 namespace ar3d::verify {
@@ -7,6 +7,24 @@ namespace {
 
 std::array<double, 3> rounded(Vector v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+// Lemma V.10 bounds the errors.
+bool has_on_one_side(const SegmentInSpace& line, const SegmentInSpace& other) {
+  const auto u = rounded(line.step);
+  const auto from = rounded(other.from - line.from);
+  const auto to = rounded(other.from + other.step - line.from);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const auto side = [&](const std::array<double, 3>& p) {
+      const double one = u[i] * p[j];
+      const double another = u[j] * p[i];
+      const double miss = 0x1p-46 * (std::abs(one) + std::abs(another));
+      return one - another > miss ? 1 : another - one > miss ? -1 : 0;
+    };
+    if (side(from) * side(to) > 0) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -27,6 +45,10 @@ bool surely_skew(const SegmentInSpace& a, const SegmentInSpace& b) {
     sizes += std::abs(w[i]) * (std::abs(one) + std::abs(other));
   }
   return std::abs(triple) > 0x1p-46 * sizes;
+}
+
+bool surely_apart(const SegmentInSpace& a, const SegmentInSpace& b) {
+  return has_on_one_side(a, b) || has_on_one_side(b, a);
 }
 
 namespace near_pairs {

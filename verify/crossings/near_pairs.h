@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -26,6 +27,9 @@ struct SegmentInSpace {
 /// True only if no line contains both segments and no plane does: their triple product, computed
 /// in double, is larger than all its rounding errors. @pre coordinates are in range.
 bool surely_skew(const SegmentInSpace& a, const SegmentInSpace& b);
+/// True only if, seen along an axis, both ends of one lie on the same side of the other's line: then
+/// they do not meet (Lemma V.10). Also in one plane, where no pair is skew. @pre as surely_skew.
+bool surely_apart(const SegmentInSpace& a, const SegmentInSpace& b);
 
 namespace near_pairs {
 
@@ -85,8 +89,8 @@ template <class SegmentAt, class Visit>
 class Search {
  public:
   Search(const Shifts& shifts, const SegmentAt& at, Visit& visit, std::size_t few,
-         std::uint64_t most)
-      : shifts_(shifts), at_(at), visit_(visit), few_(few), most_(most) {}
+         std::uint64_t most, const std::function<void(std::uint64_t)>& compares)
+      : shifts_(shifts), at_(at), visit_(visit), few_(few), most_(most), compares_(compares) {}
 
   /// @return the number of pairs that were compared.
   std::uint64_t run(std::vector<Piece> pieces) {
@@ -161,13 +165,16 @@ class Search {
   }
 
   void compare(std::size_t begin) {
+    constexpr std::uint64_t kMany = 100'000'000;  // pairs, which take seconds
+    const std::uint64_t size = pieces_.size() - begin, pairs = size * (size - 1) / 2;
+    if (pairs > kMany && compares_) compares_(pairs);
     cell_.clear();
     for (std::size_t i = begin; i < pieces_.size(); ++i) cell_.push_back(at_(pieces_[i].segment));
     for (std::size_t i = 1; i < cell_.size() && !is_stopped_; ++i) {
       compared_ += i;
       is_stopped_ = compared_ > most_;
       for (std::size_t j = 0; j < i && !is_stopped_; ++j) {
-        if (surely_skew(cell_[i], cell_[j])) continue;
+        if (surely_skew(cell_[i], cell_[j]) || surely_apart(cell_[i], cell_[j])) continue;
         is_stopped_ = !visit_(pieces_[begin + i].segment, pieces_[begin + j].segment);
       }
     }
@@ -179,6 +186,7 @@ class Search {
   Visit& visit_;
   std::size_t few_;
   std::uint64_t most_;
+  const std::function<void(std::uint64_t)>& compares_;
   std::uint64_t compared_ = 0;
   bool is_stopped_ = false;
   std::vector<Piece> pieces_;  ///< of the cell at hand, and of those that wait on the way to it
@@ -196,11 +204,13 @@ class Search {
 /// segment.
 /// @param few  pieces in a cell that are compared with each other; tests set it small.
 /// @param most  comparisons; the search ends behind the first cell that passes it.
+/// @param compares  is told of a cell with so many pairs that comparing them takes seconds.
 /// @return the number of pairs that were compared. @pre coordinates are in range.
 template <class SegmentAt, class Visit>
 std::uint64_t for_each_near_pair(std::uint32_t size, const SegmentAt& at, Visit&& visit,
                                  std::size_t few = 48,
-                                 std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
+                                 std::uint64_t most = std::numeric_limits<std::uint64_t>::max(),
+                                 const std::function<void(std::uint64_t)>& compares = {}) {
   GrowingBox box;
   std::vector<near_pairs::Piece> all;
   all.reserve(size);
@@ -210,7 +220,7 @@ std::uint64_t for_each_near_pair(std::uint32_t size, const SegmentAt& at, Visit&
     box.add(s.from + s.step);
     all.push_back({i, 0, 1});
   }
-  near_pairs::Search search(near_pairs::shifts_for(box.box()), at, visit, few, most);
+  near_pairs::Search search(near_pairs::shifts_for(box.box()), at, visit, few, most, compares);
   return search.run(std::move(all));
 }
 
