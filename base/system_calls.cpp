@@ -225,16 +225,15 @@ Child Child::forked(ChildSetup setup, const std::function<int(int)>& body) {
   if (setup.kept) std::sort(setup.kept->begin(), setup.kept->end());
   const pid_t parent = getpid();
   Child child;
-  std::string mark = setup.starts_programs ? new_mark() : "";
+  if (setup.starts_programs) child.take_orphans(new_mark());
   child.pid_ = fork_or_refuse("a process");
   if (child.pid_ > 0) {
     child.socket_ = std::move(ours);
-    child.take_orphans(std::move(mark));
     return child;
   }
   ours = Descriptor();
   become_child(parent, setup);
-  if (!mark.empty()) setenv(mark.c_str(), "1", 1);
+  if (setup.starts_programs) setenv(child.mark_.c_str(), "1", 1);
   if (setup.kept) close_all_but(*setup.kept);
   int code = 1;
   try {
@@ -249,14 +248,14 @@ Child Child::of_program(std::vector<std::string> words, const ChildSetup& setup)
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  std::string mark = new_mark();
-  std::string entry = mark + "=1";
+  Child child;
+  child.take_orphans(new_mark());
+  std::string entry = child.mark_ + "=1";
   std::vector<char*> environment = {entry.data()};
   for (char** at = environ; at != nullptr && *at != nullptr; ++at) environment.push_back(*at);
   environment.push_back(nullptr);
   auto [failure, theirs] = new_pipe();
   const pid_t parent = getpid();
-  Child child;
   child.pid_ = fork_or_refuse(words[0]);
   if (child.pid_ == 0) {
     become_child(parent, setup);
@@ -266,7 +265,6 @@ Child Child::of_program(std::vector<std::string> words, const ChildSetup& setup)
     write_whole(theirs.get(), {reinterpret_cast<const char*>(&error), sizeof error});
     _exit(kCannotRun);
   }
-  child.take_orphans(std::move(mark));
   theirs = Descriptor();
   while (read(failure.get(), &child.run_error_, sizeof child.run_error_) < 0 && errno == EINTR) {
   }
@@ -275,7 +273,7 @@ Child Child::of_program(std::vector<std::string> words, const ChildSetup& setup)
 
 void Child::take_orphans(std::string mark) {
   mark_ = std::move(mark);
-  if (!mark_.empty()) adopt_orphans_of(+1);
+  adopt_orphans_of(+1);
 }
 
 bool Child::has_ended() {
@@ -298,16 +296,16 @@ int Child::wait() {
 
 // The group goes first: while its leader is a zombie, nobody else can have its number.
 int Child::finish() {
-  if (pid_ < 0) return status_;
-  ::kill(-pid_, SIGKILL);
-  while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
+  if (pid_ > 0) {
+    ::kill(-pid_, SIGKILL);
+    while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
+    }
+    while (waitpid(-pid_, nullptr, 0) > 0 || errno == EINTR) {  // orphans of the group, now here
+    }
+    pid_ = -1;
+    if (!mark_.empty()) end_orphans(mark_);
   }
-  while (waitpid(-pid_, nullptr, 0) > 0 || errno == EINTR) {  // orphans of the group that came here
-  }
-  pid_ = -1;
-  if (mark_.empty()) return status_;
-  end_orphans(mark_);
-  adopt_orphans_of(-1);
+  if (!mark_.empty()) adopt_orphans_of(-1);
   mark_.clear();
   return status_;
 }
