@@ -116,7 +116,10 @@ std::int64_t toml_integer(const toml::node& node, const std::string& what, std::
 }
 
 double toml_number(const toml::node& node, const std::string& what, double low, double high) {
-  const std::optional<double> number = node.value<double>();  // integers too
+  // Integers too, and those that no double is equal to.
+  const auto* const integer = node.as_integer();
+  const auto number =
+      integer != nullptr ? static_cast<double>(integer->get()) : node.value<double>();
   if (!number || !node.is_number()) refuse_toml(node, fmt::format("{} is not a number", what));
   require_range(node, what, *number, low, high);
   return *number;

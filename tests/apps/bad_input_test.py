@@ -1,10 +1,12 @@
 """Every input is hostile: one line that names file, line and value; the documented exit code; bounded memory; nothing half-written."""
 import gzip
+import itertools
 import lzma
 import os
+import shutil
 import unittest
 
-from program import IS_SANITISED, Program, main, run, write
+from program import IS_SANITISED, Program, main, run, with_fault, write
 
 DRAW = "ar3d draw hostile --algorithm diamond"
 EDGES = DRAW + " --from edgelist -o d.jsonl"
@@ -194,6 +196,32 @@ class Environment(Program):
         for good in ("OMP_NUM_THREADS=2", "OMP_NUM_THREADS=2,1", "OMP_NUM_THREADS=", "OMP_STACKSIZE=64k", "OMP_STACKSIZE=65536B", "OMP_STACKSIZE=1M",
                      "OMP_STACKSIZE=512", "OMP_STACKSIZE=1G"):
             self.expect(f"{good} {draw}")
+
+
+class LargeNumbers(Program):
+    def test_what_no_double_is_equal_to_is_a_number_all_the_same(self):
+        write("s.toml", 'study = "s"\n[budget]\nrow_memory_bytes = 9223372036854775807\n[[sweep]]\nfamilies = "cycle"\nsizes = 5\nalgorithms = "grid"\n')
+        self.refused("ar3d study plan -q s.toml", "s.toml:3: row_memory_bytes = 9.223372036854776e+18 is outside 0..1e+18")
+        write("w.edges", "1 2 1e400\n2 3 1e-400\n")
+        self.expect("ar3d draw w.edges --algorithm grid -q", 0, '"n":3,')
+
+
+class Leftovers(Program):
+    def test_a_kill_at_any_call_leaves_nothing_that_resume_does_not_take_away(self):
+        """Also between a journal's second name and the end of its first one."""
+        write("s.toml", 'study = "s"\n[[sweep]]\nfamilies = "cycle"\nsizes = [5, 6]\nalgorithms = "grid"\n')
+        self.expect("ar3d study run -q s.toml -o whole.h5")
+        for verb, kind, call in itertools.product(("run", "resume"), ("before", "after"), range(1, 16)):
+            for name in os.listdir("."):
+                if name.startswith("r."):
+                    os.remove(name)
+            if verb == "resume":
+                shutil.copy("whole.h5", "r.h5")
+            begin = "resume -q --again refused r.h5" if verb == "resume" else "run -q s.toml -o r.h5"
+            killed = run(with_fault(f"{kind}:{call}") + "ar3d study " + begin)
+            begun = os.path.exists("r.h5") or os.path.exists("r.h5.journal")
+            self.expect("ar3d study " + ("resume -q r.h5" if begun else "run -q s.toml -o r.h5"))
+            self.assertEqual([name for name in os.listdir(".") if "partial" in name or "journal" in name], [], (killed, kind, call))
 
 
 class Elsewhere(Program):

@@ -18,7 +18,7 @@ TEST(HangingChildren, AreWaitedForAMinute) {
                        waiting, waiting);
     ++waiting;
   };
-  for (const char* lie : {"lie:11", "lie:12"}) {
+  for (const char* lie : {"lie:11", "lie:12", "lie:13", "lie:14", "lie:15"}) {
     for (const char* verb : {"check r.h5", "report r.h5", "study merge r.h5 -o m.h5",
                              "study resume -q r.h5", "study status r.h5"}) {
       begin(with_fault(lie) + "{} " + verb);

@@ -10,6 +10,7 @@ import unittest
 AR3D = sys.argv[1]
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 IS_SANITISED = b"__asan_init" in pathlib.Path(AR3D).read_bytes()
+SHIM = pathlib.Path(AR3D).parents[1] / "tests" / "libar3d_fault_shim.so"
 Outcome = collections.namedtuple("Outcome", "command code out err")
 os.environ.update(PATH=":".join([os.path.dirname(AR3D), *os.get_exec_path()]))
 
@@ -21,6 +22,12 @@ def run(command):
         for file in (out, err):
             file.seek(0)
         return Outcome(command, code if code >= 0 else 128 - code, *(file.read().decode(errors="surrogateescape") for file in (out, err)))
+
+
+def with_fault(fault, **variables):
+    """What stands before a command so that it meets a fault of tests/shim/fault_shim.cpp, such as "before:3"."""
+    named = "".join(f"AR3D_FAULT_{name}={value} " for name, value in variables.items())
+    return f"env ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD={SHIM} AR3D_FAULT={fault} {named}"
 
 
 def read(name):
