@@ -28,7 +28,7 @@ STUDY = """study = "s"
 [[algorithm]]
 name = "mine"
 command = ["python3", "mine.py"]
-time_limit_s = 1
+time_limit_s = 4
 %s
 [[sweep]]
 families = "random-cubic"
@@ -37,7 +37,7 @@ algorithms = "mine"
 """
 HUNT = "ar3d hunt -q --study s.toml --algorithm mine --family random-cubic -n 10 --evaluations 4 -o o "
 FAILING = {  # what it does instead of an answer: kind, text
-    "time.sleep(1000)": ("timeout", "no answer within 1 s"),
+    "time.sleep(1000)": ("timeout", "no answer within 4 s"),
     "sys.exit(0)": ("crashed", "ended with code 0 before it answered"),
     "os.abort()": ("crashed", "was killed by signal 6"),
     "while True: os.write(1, b'x' * 1000000)": ("crashed", "answered more than"),
@@ -96,15 +96,15 @@ class OwnProgramsInHunt(Program):
 
     def test_the_last_drawing_is_not_asked_for_twice(self):
         """The process answers only so often; what was measured stays."""
-        guarantee = "guarantee = { max_degree = 4, max_bends = 0, cosine = [-1, 1] }"
-        self.program("count <= 5 and answer(n) or time.sleep(1000 if count > 5 else 0)", guarantee)
+        guarantee = "guarantee = { max_degree = 4, max_bends = 0, cosine = [1, 1] }"
+        self.program("answer(n) if count <= 5 else time.sleep(1000)", guarantee)
         self.expect(HUNT, 0, ["4 graphs drawn and certified", "wrote o.txt"])
         for name in ("o.s6", "o.jsonl", "o.svg", "o.txt"):
             self.assertTrue(os.path.exists(name), name)
 
     def test_a_failure_that_does_not_come_again_stays_one(self):
         """Slow at first, right later: what shrink keeps is what it saw."""
-        self.program("os.path.exists('slow') and answer(n) or [open('slow', 'w'), time.sleep(1000)]")
+        self.program("answer(n) if os.path.exists('slow') else [open('slow', 'w'), time.sleep(1000)]")
         self.expect(HUNT, 5, "timeout")
         os.remove("slow")
         self.expect("ar3d shrink -q o.s6 --study s.toml --algorithm mine --failure timeout -o p --evaluations 20", 5,
@@ -116,14 +116,15 @@ class OwnProgramsInHunt(Program):
         self.expect("ar3d shrink -q o.s6 --study s.toml --algorithm mine --failure crash -o p", 5, "5 of 15 edges are left")
 
     def test_no_child_is_left(self):
-        for more in ("", "one_graph_per_process = true"):
-            for body in ("leave(); answer(n)", "leave(); time.sleep(1000)", "leave(); os.abort()"):
-                self.program(body, more)
-                ends = 0 if "answer" in body else 5
+        wrong = "guarantee = { max_degree = 4, max_bends = 0, cosine = [-1, 1] }\n"  # every angle of 180 degrees
+        for more in (wrong, wrong + "one_graph_per_process = true"):
+            for body, ends, keeps in (("answer(n)", 4, ""), ("time.sleep(1000)", 5, "--failure timeout"), ("os.abort()", 5, "--failure crash")):
+                if "sleep" in body and more != wrong:
+                    continue
+                self.program("leave(); " + body, more)
                 self.expect(HUNT + "--force", ends)
                 self.nothing_is_left()
-                keeps = "--ratio 0" if ends == 0 else "--failure " + ("crash" if "abort" in body else "timeout")
-                self.expect(f"ar3d shrink -q o.s6 --study s.toml --algorithm mine {keeps} -o p --force --evaluations 3", ends)
+                self.expect(f"ar3d shrink -q o.s6 --study s.toml --algorithm mine {keeps} -o p --force --evaluations 1", ends)
                 self.nothing_is_left()
                 self.expect("ar3d study run -q s.toml --force", ends)
                 self.nothing_is_left()
