@@ -1,6 +1,8 @@
 // `ar3d study run`, `resume` and `merge`.
 #include "study.h"
 
+#include <fmt/ranges.h>
+
 #include <set>
 
 #include "ar3d/analysis/report/report.h"
@@ -11,6 +13,7 @@
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/replay/count_instructions.h"
+#include "ar3d/bench/run/describe_study.h"
 #include "commands.h"
 #include "outputs.h"
 #include "report_page.h"
@@ -30,6 +33,15 @@ struct RunArguments {
   bool force = false;
   SessionPolicy policy;  // what the command line says of it
 };
+
+// "a, b, c, …", of names that may be anything.
+std::string first_few(const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 10;
+  std::vector<std::string> shown;
+  for (const std::string& name : names) shown.push_back(printable(name));
+  if (shown.size() > kShown) shown.resize(kShown), shown.push_back("…");
+  return fmt::format("{}", fmt::join(shown, ", "));
+}
 
 // Beside a page that is no report the study goes without: it has been there for hours, or has come
 // meanwhile.
@@ -104,6 +116,27 @@ int conclude(const JournaledStudy& study, Rows made, bool force, bool unchanged)
   return exit_code;
 }
 
+// What the results of a study of files do not hold, and whether `resume` can change that.
+void tell_limits_of_files(const JournaledStudy& study, const StudyIdentity& identity) {
+  const HeldGraphs held = held_graphs(identity);
+  bool is_held = true;
+  std::set<std::string> told;
+  for (const StudyCorpus& corpus : corpora_of(study)) {
+    if (held.contains(corpus.record.name) || !told.insert(corpus.record.name).second) continue;
+    is_held = false;
+    say(stderr,
+        "ar3d: the graphs of {} are more than graphs_bytes = {:.6g}, so the results do not "
+        "hold them: its files have to stay as they are, and `resume` adds none\n",
+        corpus.record.name, study.spec.graphs_bytes);
+  }
+  const std::vector<std::string> come = files_come_since(study.files);
+  if (come.empty()) return;
+  say(stderr, "ar3d: {} came after the files were listed at {}, and {} not in the results: {}{}\n",
+      come.size() == 1 ? "1 file" : fmt::format("{} files", come.size()),
+      time_with_zone(*study.files.shelf->listed), come.size() == 1 ? "is" : "are", first_few(come),
+      is_held ? fmt::format("; `ar3d study resume {}` draws them", shell_word(study.results)) : "");
+}
+
 int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const SessionPolicy& policy,
                    Ranks& ranks) {
   // A second signal ends the program at once: what is acknowledged is in the journal.
@@ -118,6 +151,7 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
   StudyOutcome outcome = run_journaled(study, policy, ranks);
   if (!ranks.is_first()) return kPass;
   study.results = outcome.results;
+  if (!manner.quiet) tell_limits_of_files(study, outcome.in_hand->identity());
   if (outcome.complete()) {
     return conclude(study, std::move(*outcome.in_hand), arguments.force, was_whole);
   }
@@ -258,15 +292,9 @@ void add_run(CLI::App& study, int& exit_code) {
 void tell_growth(const Study& study) {
   const auto tell = [](const std::string& name, const std::vector<std::string>& files,
                        const char* what) {
-    constexpr std::size_t kShown = 10;
     if (files.empty()) return;
-    std::string text = printable(files.front());
-    for (std::size_t i = 1; i < std::min(kShown, files.size()); ++i) {
-      text += ", " + printable(files[i]);
-    }
-    if (files.size() > kShown) text += ", …";
     say(stderr, "ar3d: {}: {} file{} {}: {}\n", name, files.size(), files.size() == 1 ? "" : "s",
-        what, text);
+        what, first_few(files));
   };
   std::set<std::string> told;
   for (const StudyCorpus& corpus : corpora_of(study)) {
@@ -275,6 +303,12 @@ void tell_growth(const Study& study) {
     tell(corpus.record.name, growth.added, "new, to be drawn");
     tell(corpus.record.name, growth.changed, "changed, to be drawn beside the rows that are there");
     tell(corpus.record.name, growth.gone, "gone, whose rows and graphs stay in the results");
+    std::vector<std::string> reasons;
+    if (!corpus.entry->options.skip) {
+      for (const SkippedFile& file : corpus.corpus->graphs->skipped())
+        reasons.push_back(file.reason);
+    }
+    tell(corpus.record.name, reasons, "without a graph, left out");
   }
 }
 

@@ -98,6 +98,7 @@ void Rows::add(const std::string& path) {
   };
   compare("specification", identity_.spec_hash, other.spec_hash);
   compare("program's source", identity_.source(), other.source());
+  files_differ_ = unite_files(identity_, other) || files_differ_;
   identity_.created = std::min(identity_.created, other.created);
   shards_.push_back(other.shard);
   source.sessions = source.with([](auto& reader) { return reader.sessions(); });

@@ -48,6 +48,8 @@ class Rows {
   StudyIdentity& identity() { return identity_; }
   /// Returns the shards of the files, sorted, each once.
   const std::vector<Shard>& shards() const { return shards_; }
+  /// Returns true if the files had different collected files: identity() has those of all.
+  bool files_differ() const { return files_differ_; }
   /// Returns the entries of all sessions, in the order in which they began.
   const std::vector<EnvironmentEntry>& environment() const { return environment_; }
 
@@ -90,6 +92,7 @@ class Rows {
 
   StudyIdentity identity_;
   std::vector<Shard> shards_;
+  bool files_differ_ = false;
   std::vector<EnvironmentEntry> environment_;
   std::vector<AlgorithmRecord> algorithms_;  // whose bounds rows get
   std::size_t size_ = 0;

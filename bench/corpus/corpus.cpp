@@ -99,8 +99,8 @@ class Corpus::Scan {
     corpus_.path_ = file.path;
     if (file.held) return take_held(file);
     const std::size_t taken_before = corpus_.entries_.size();
-    const std::uint64_t graphs_before = corpus_.graphs_in_file_;
-    const auto first = static_cast<std::int64_t>(graphs_before);
+    graphs_before_ = corpus_.graphs_in_file_;
+    const auto first = static_cast<std::int64_t>(graphs_before_);
     CollectedFile read{"", file.file, file.group, "", first};
     HashStream hash;
     std::string problem;
@@ -120,7 +120,7 @@ class Corpus::Scan {
     const auto known = held_.find(file.file);
     if (known != held_.end() && known->second.contains(read.hash)) {
       corpus_.entries_.resize(taken_before);  // what the spool has more is never asked for
-      corpus_.graphs_in_file_ = graphs_before;
+      corpus_.graphs_in_file_ = graphs_before_;
       return;
     }
     const std::string& shown = file.file.empty() ? file.path : file.file;
@@ -187,7 +187,8 @@ class Corpus::Scan {
       if (!reader) reader.emplace(file.path, options_.reading);
       return reader->next();
     } catch (const InputError& error) {
-      if (!options_.skip) throw;
+      const bool holds_none = corpus_.graphs_in_file_ == graphs_before_;
+      if (!options_.skip && !(options_.looks_again && holds_none)) throw;
       problem = error.what();
       return std::nullopt;
     }
@@ -245,6 +246,7 @@ class Corpus::Scan {
   // By file the hashes of what a study has read of it before.
   std::map<std::string, std::set<std::string>> held_;
   std::set<std::string> there_;                  // files that were looked at
+  std::uint64_t graphs_before_ = 0;              // the file being read
   std::map<std::string, std::uint32_t> copies_;  // of files, by the hash of their graphs
   std::priority_queue<Ticket> drawn_;  // the smallest ones so far, the largest of them on top
 };
@@ -318,25 +320,6 @@ std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
                 {},
                 [](std::uint64_t n, const Settings&) { return n; }};
   return std::make_shared<const NamedCorpus>(NamedCorpus{std::move(family), std::move(graphs)});
-}
-
-std::shared_ptr<const Corpus> shelved_corpus(CorpusShelf& shelf,
-                                             const std::vector<CorpusFile>& files,
-                                             const CorpusOptions& options) {
-  const ReadOptions& reading = options.reading;
-  std::string key =
-      fmt::format("{};{};{};{};{};{};{};{};{};{}", reading.format, reading.base.value_or(2),
-                  static_cast<int>(reading.first_line), reading.simplify, reading.undirected,
-                  options.largest_component, options.sample, options.sample_seed, options.skip,
-                  options.looks_again);
-  for (const CorpusFile& file : files) {
-    for (const std::string* part : {&file.path, &file.name, &file.group})
-      key.append(1, '\n').append(*part);
-    if (file.held) key += fmt::format("\n{} {}", file.held->hash, file.held->first);
-  }
-  std::shared_ptr<const Corpus>& corpus = shelf[content_hash(key)];
-  if (!corpus) corpus = std::make_shared<const Corpus>(files, options);
-  return corpus;
 }
 
 }  // namespace ar3d

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -65,7 +66,8 @@ struct CorpusOptions {
   std::uint64_t sample = 0;        ///< so many of the graphs; 0: all
   std::uint64_t sample_seed = 0;
   bool skip = false;  ///< a file is read up to its first error and listed; else that is thrown
-  bool looks_again = false;  ///< files are held, and all that there are now stand behind them
+  /// Files are held, and all that there are now stand behind them; one without a graph is skipped.
+  bool looks_again = false;
 };
 
 /// Represents the graphs of files, read once and kept in a temporary file without a name, so that
@@ -156,13 +158,12 @@ struct NamedCorpus {
 std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
                                                 std::shared_ptr<const Corpus> graphs);
 
-/// Holds the corpora that a study has opened, by what files and options say.
-using CorpusShelf = std::map<std::string, std::shared_ptr<const Corpus>>;
-/// Returns the corpus of the files, which is read once, however often it is asked for.
-/// @throws InputError as Corpus.
-std::shared_ptr<const Corpus> shelved_corpus(CorpusShelf& shelf,
-                                             const std::vector<CorpusFile>& files,
-                                             const CorpusOptions& options);
+/// Holds what a study has listed and opened, for all copies of it: nothing is listed or read twice.
+struct CorpusShelf {
+  std::optional<std::chrono::system_clock::time_point> listed;   ///< when files were first listed
+  std::map<std::string, std::vector<std::string>> listings;      ///< by path, pattern or folder
+  std::map<std::string, std::shared_ptr<const Corpus>> corpora;  ///< by files and options
+};
 
 /// Returns the graph on the vertices with keep[v], renamed in order. O(n + m).
 Graph induced(const Graph& graph, const std::vector<bool>& keep);

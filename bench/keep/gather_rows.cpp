@@ -6,7 +6,10 @@
 
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/study_files.h"
+#include "ar3d/bench/run/describe_study.h"
+#include "ar3d/bench/run/row_maker.h"
 #include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/hdf5/results_file.h"
 
 namespace ar3d {
 namespace {
@@ -67,17 +70,22 @@ std::string missing_shards(const std::vector<Shard>& shards) {
   return missing;
 }
 
-// Where the rows of the plan stand, in its order.
+// Where the rows of the plan stand, in its order. @param instances  given: takes of which they are.
 StudyOutcome in_order_of(const StudyPlan& plan, const Rows& rows,
-                         std::vector<std::uint32_t>& places) {
+                         std::vector<std::uint32_t>& places,
+                         std::vector<std::size_t>* instances = nullptr) {
   StudyOutcome outcome;
   places.reserve(rows.size());
-  for (const PlannedInstance& instance : plan.instances) {
+  for (std::size_t number = 0; number < plan.instances.size(); ++number) {
+    const PlannedInstance instance = plan.instances[number];
     for (const PlannedRun& run : instance.runs) {
       if (const auto place = rows.find(parse_row_key(run.row_key))) {
         places.push_back(static_cast<std::uint32_t>(*place));
+        if (instances != nullptr) instances->push_back(number);
       } else if (!run.optional && outcome.missing++ == 0) {
         outcome.first_missing = run.row_key;
+        const std::string graph = planned_row(instance, run).graph_name;
+        if (!graph.empty()) outcome.first_missing += " of graph " + printable(graph);
       }
     }
   }
@@ -90,7 +98,7 @@ StudyOutcome in_order_of(const StudyPlan& plan, const Rows& rows,
 
 StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard) {
   if (shard.count == 1) return plan;
-  plan.instances = plan.instances.every_nth(shard.index - 1, shard.count);
+  plan.instances = plan.instances.part_of(shard.index - 1, shard.count);
   return plan;
 }
 
@@ -174,11 +182,33 @@ StudyOutcome merge_study(const std::vector<std::string>& parts, const std::strin
   Rows rows(parts);
   require_one_division(rows.shards());
   require_one_program_each(rows.environment());
-  const StudyPlan plan = plan_study(recorded_study(rows.identity(), parts.front()));
-  StudyOutcome outcome = arrange_rows(plan, rows);
+  const Study study = recorded_study(rows.identity(), parts.front());
+  const StudyPlan plan = plan_study(study);
+  std::vector<std::uint32_t> places;
+  std::vector<std::size_t> instances;
+  StudyOutcome outcome = in_order_of(plan, rows, places, &instances);
   outcome.missing_shards = missing_shards(rows.shards());
-  rows.identity().shard = {};
-  if (outcome.complete()) write_results(rows, output);
+  if (!outcome.complete()) return outcome;
+  rows.arrange(places);
+  StudyIdentity& identity = rows.identity();
+  identity.shard = {};
+  identity.planned_rows = static_cast<std::int64_t>(outcome.rows);
+  if (!rows.files_differ()) {
+    write_results(rows, output);
+    return outcome;
+  }
+  identity.tables = side_tables_of(study);
+  // Each shard has numbered its own files.
+  const auto renumbered = [&](std::size_t row, char* record) {
+    RunRecord run = rows.run(row);
+    const PlannedInstance instance = plan.instances[instances[row]];
+    const RunRecord planned = planned_row(instance, instance.runs.front());
+    run.instance_index = planned.instance_index;
+    run.graph_name = planned.graph_name;
+    run.group = planned.group;
+    store_record(run, record);
+  };
+  write_results(identity, rows.environment(), rows.size(), renumbered, output);
   return outcome;
 }
 

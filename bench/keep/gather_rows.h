@@ -11,8 +11,8 @@
 
 namespace ar3d {
 
-/// Returns the part of a plan that a shard makes: every count-th instance, from the index-th. Rows
-/// keep their keys and their order, not their numbers.
+/// Returns the part of a plan that a shard makes (PlannedInstances::part_of). Rows keep their keys
+/// and their order, not their numbers.
 StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard);
 
 /// Returns rows that a study is not complete without.
@@ -47,7 +47,8 @@ StudyOutcome outcome_so_far(const JournaledStudy& study);
 void copy_rows(const Rows& rows, const std::vector<RunStatus>& but, JournalWriter& journal);
 
 /// Makes one results file of a study's parts: results files and journals of its shards and ranks,
-/// in any order; the same parts give the same bytes.
+/// in any order; the same parts give the same bytes. Shards of a collection may have listed
+/// different files: the study then has the files of all.
 /// @return what is there; nothing is written unless it is complete.
 /// @throws InputError naming the file if one cannot be read or is damaged, if they are of different
 /// studies, sources or divisions into shards, if a row is there twice and not the same, or if the

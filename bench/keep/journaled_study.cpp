@@ -76,16 +76,17 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
 
 namespace {
 
-// Rank i of N makes the rows of the metrics phase that shard i/N would. Then rank 0 alone makes
+// Rank i of N makes every N-th instance in the metrics phase. Then rank 0 alone makes
 // those that are timed; the others draw their parts of its batches.
 void make_on_ranks(StudyPlan& plan, SessionPolicy policy, Ranks& ranks, StudyLog& log,
                    std::optional<Rows>& there) {
   const Stopwatch time;
   const bool timed_phases = std::exchange(policy.timed_phases, false);
   policy.workers_elsewhere = (ranks.size() - 1) * policy.workers;
-  const Shard share{static_cast<std::uint32_t>(ranks.rank() + 1),
-                    static_cast<std::uint32_t>(ranks.size())};
-  run_session(plan_of_shard(plan, share), policy, log.sink(*there));
+  StudyPlan share = plan;
+  share.instances = plan.instances.every_nth(static_cast<std::size_t>(ranks.rank()),
+                                             static_cast<std::size_t>(ranks.size()));
+  run_session(share, policy, log.sink(*there));
   there.reset();
   ranks.barrier();
   if (!ranks.is_first()) ranks.help(batch_parts(plan, ranks.rank(), is_interrupted));

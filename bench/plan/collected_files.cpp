@@ -4,22 +4,27 @@
 #include <glob.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <map>
+#include <regex>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/formats/text/tokens.h"
+#include "ar3d/store/journal/journal_format.h"
 
 namespace ar3d {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A folder's files and those of its sub-folders; what begins with a dot is left out, and links to
-// folders are not followed. What cannot be read is refused where it is to be.
+// A folder's files and those of its sub-folders; what begins with a dot or ends with a tilde (an
+// editor's copy) is left out, and links to folders are not followed. What cannot be read is refused
+// where it is to be.
 void add_folder(const std::string& top, std::vector<std::string>& files) {
   std::vector<std::string> folders = {top};
   while (!folders.empty()) {
@@ -28,7 +33,8 @@ void add_folder(const std::string& top, std::vector<std::string>& files) {
     std::error_code error, ignored;
     fs::directory_iterator at(folder, error);
     for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-      if (at->path().filename().string().starts_with('.')) continue;
+      const std::string name = at->path().filename().string();
+      if (name.starts_with('.') || name.ends_with('~')) continue;
       if (!at->is_directory(ignored)) {
         files.push_back(at->path().string());
       } else if (!at->is_symlink(ignored)) {
@@ -39,15 +45,35 @@ void add_folder(const std::string& top, std::vector<std::string>& files) {
   }
 }
 
-// One of the study's own files or a journal of it, whatever the way to its folder.
+// One of the study's own files, whatever the way to its folder.
 bool is_own(const fs::path& file, const std::vector<std::string>& own_files) {
-  const std::string name = file.filename().string();
   return std::ranges::any_of(own_files, [&](const fs::path& own) {
     std::error_code ignored;
-    const std::string its = own.filename().string();
-    return (name == its || (name.starts_with(its + ".") && name.ends_with(".journal"))) &&
+    return file.filename() == own.filename() &&
            fs::equivalent(file.parent_path(), fs::absolute(own).parent_path(), ignored);
   });
+}
+
+// What any study has beside its graphs, told by name and content: a journal, results, a report,
+// drawings, or an unfinished or cut one of them. Of one that is empty or gone the name has to do.
+bool is_of_a_study(const std::string& file) {
+  constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
+      {".journal", kJournalStart},
+      {".h5", "\x89HDF\r\n\x1a\n"},
+      {".hdf5", "\x89HDF\r\n\x1a\n"},
+      {".html", "<title>ar3d "},
+      {".jsonl", "{\"n\":"}};
+  static const std::regex piece("(\\.partial-[0-9]+-[0-9a-f]{16}|\\.journal\\.cut-[0-9]+)$");
+  if (std::regex_search(file, piece)) return true;
+  for (const auto& [ending, mark] : kKinds) {
+    if (!file.ends_with(ending)) continue;
+    std::array<char, 4096> bytes{};
+    std::ifstream in(file, std::ios::binary);
+    in.read(bytes.data(), bytes.size());
+    const std::string_view beginning(bytes.data(), static_cast<std::size_t>(in.gcount()));
+    return beginning.empty() || beginning.find(mark) != std::string_view::npos;
+  }
+  return false;
 }
 
 // The folder that the names of a collection's files begin behind.
@@ -103,9 +129,7 @@ void require_group(CorpusFile& file) {
       printable(file.path), shown(file.group), kLongestGroup);
 }
 
-}  // namespace
-
-bool is_pattern(const std::string& file) { return file.find_first_of("*?[") != std::string::npos; }
+constexpr const char* kCollection = "collection ";  // before its path in a shelf
 
 std::vector<std::string> matches(const std::string& path) {
   std::error_code ignored;
@@ -117,12 +141,8 @@ std::vector<std::string> matches(const std::string& path) {
   return files;
 }
 
-[[noreturn]] void refuse_empty(const GraphsEntry& entry) {
-  throw InputError(fmt::format("{}no file matches '{}'", entry.place, printable(entry.file)));
-}
-
-std::vector<std::string> collected_paths(const std::string& path,
-                                         const std::vector<std::string>& own_files) {
+std::vector<std::string> collected_now(const std::string& path,
+                                       const std::vector<std::string>& own_files) {
   std::vector<std::string> files;
   try {
     for (const std::string& match : matches(path)) {
@@ -137,20 +157,57 @@ std::vector<std::string> collected_paths(const std::string& path,
     throw InputError(fmt::format("cannot read {}: {}", printable(error.path1().string()),
                                  error.code().message()));
   }
-  std::erase_if(files, [&](const std::string& file) { return is_own(file, own_files); });
+  std::erase_if(files, [&](const std::string& file) {
+    return is_own(file, own_files) || is_of_a_study(file);
+  });
   std::sort(files.begin(), files.end());
   return files;
 }
 
+}  // namespace
+
+bool is_pattern(const std::string& file) { return file.find_first_of("*?[") != std::string::npos; }
+
+[[noreturn]] void refuse_empty(const GraphsEntry& entry) {
+  throw InputError(fmt::format("{}no file matches '{}'", entry.place, printable(entry.file)));
+}
+
+const std::vector<std::string>& listed_files(const StudyFiles& files, const std::string& path,
+                                             bool is_collection) {
+  CorpusShelf& shelf = *files.shelf;
+  if (!shelf.listed) shelf.listed = std::chrono::system_clock::now();
+  const std::string key = (is_collection ? kCollection : "") + path;
+  const auto known = shelf.listings.find(key);
+  if (known != shelf.listings.end()) return known->second;
+  std::vector<std::string> found = is_collection ? collected_now(path, files.own) : matches(path);
+  std::error_code ignored;
+  if (!is_collection && is_pattern(path)) {
+    std::erase_if(found, [&](const std::string& file) { return fs::is_directory(file, ignored); });
+  }
+  return shelf.listings[key] = std::move(found);
+}
+
+std::vector<std::string> files_come_since(const StudyFiles& files) {
+  std::vector<std::string> come;
+  for (const auto& [key, then] : files.shelf->listings) {
+    if (!key.starts_with(kCollection)) continue;
+    const std::string path = key.substr(std::string_view(kCollection).size());
+    std::error_code ignored;
+    if (!is_pattern(path) && !fs::exists(path, ignored)) continue;
+    std::ranges::set_difference(collected_now(path, files.own), then, std::back_inserter(come));
+  }
+  return come;
+}
+
 std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry,
-                                        const std::vector<std::string>& own_files) {
+                                        const StudyFiles& study) {
   std::map<std::string, std::string, std::less<>> groups;
   if (!record.groups.empty()) groups = read_groups(record.groups);
   const fs::path base = base_of(record.path);
   std::vector<CorpusFile> files;
   bool any_group = groups.empty();
   bool has_folders = false;
-  for (const std::string& found : collected_paths(record.path, own_files)) {
+  for (const std::string& found : listed_files(study, record.path, true)) {
     const fs::path within = fs::path(found).lexically_relative(base);
     CorpusFile file{
         found, within.filename().string(), within.parent_path().string(), {}, within.string()};

@@ -64,8 +64,19 @@ std::string changed_file(const StudyFiles& known, const std::string& family, con
     if (changed++ == 0) first = file.file;
   }
   return changed == 0 ? ""
-                      : fmt::format("; {} files are gone or changed, {} is the first", changed,
-                                    printable(first));
+                      : fmt::format("; {} file{} gone or changed, {} is the first", changed,
+                                    changed == 1 ? " is" : "s are", printable(first));
+}
+
+/// What a corpus is opened by: files and options.
+std::string shelf_key(const GraphFileRecord& record, const CorpusOptions& options, bool is_held,
+                      bool grows) {
+  const ReadOptions& reading = options.reading;
+  return fmt::format("{}\n{}\n{}\n{};{};{};{};{};{};{};{};{};{};{}", record.name, record.path,
+                     record.groups, reading.format, reading.base.value_or(2),
+                     static_cast<int>(reading.first_line), reading.simplify, reading.undirected,
+                     options.largest_component, options.sample, options.sample_seed, options.skip,
+                     is_held, grows);
 }
 
 bool is_family(const std::string& name) {
@@ -117,10 +128,9 @@ class CorpusReader {
           entry.groups.empty() ? "" : absolute_path(files_.folder, entry.groups);
       return {{entry.name, number, -1, {}, wanted, groups}};
     }
-    for (const std::string& path : matches(wanted)) {
+    for (const std::string& path : listed_files(files_, wanted, false)) {
       std::error_code ignored;
       if (fs::is_directory(path, ignored)) {
-        if (is_pattern(wanted)) continue;
         throw InputError(
             fmt::format("{}cannot read {}: it is a directory; {{ files = …, name = … }} makes one "
                         "collection of it",
@@ -161,8 +171,11 @@ class CorpusReader {
   std::shared_ptr<const Corpus> opened(const GraphFileRecord& record, const CorpusOptions& options,
                                        const GraphsEntry& entry) const {
     try {
-      std::vector<CorpusFile> files = held_files(files_, record);
       const bool grows = files_.grow && options.sample == 0;  // a sample stays as it was drawn
+      std::shared_ptr<const Corpus>& corpus =
+          files_.shelf->corpora[shelf_key(record, options, is_held(record), grows)];
+      if (corpus) return corpus;
+      std::vector<CorpusFile> files = held_files(files_, record);
       if (files.empty() || grows) {
         for (CorpusFile& file : files_now(record, entry, !files.empty())) {
           files.push_back(std::move(file));
@@ -171,7 +184,7 @@ class CorpusReader {
       if (files.empty()) refuse_empty(entry);
       CorpusOptions now = options;
       now.looks_again = grows && files.front().held;
-      return shelved_corpus(*files_.shelf, files, now);
+      return corpus = std::make_shared<const Corpus>(files, now);
     } catch (const InputError& error) {
       const std::string message = error.what();
       throw InputError(message.starts_with(entry.place) ? message : entry.place + message);
@@ -188,7 +201,7 @@ class CorpusReader {
     std::error_code ignored;
     if (may_be_gone && !is_pattern(record.path) && !fs::exists(record.path, ignored)) return {};
     if (!entry.is_collection) return {{record.path, "", ""}};
-    return collected_files(record, entry, files_.own);
+    return collected_files(record, entry, files_);
   }
 
   // Rows are told apart by the graphs' hash and, for people, by the name: one must give the other.
@@ -252,8 +265,7 @@ std::vector<std::string> graph_files_of(const Study& study) {
   const StudyFiles& known = study.files;
   std::vector<std::string> files;
   const auto add = [&](const std::string& path, const std::string& groups, bool is_collection) {
-    const std::vector<std::string> found =
-        is_collection ? collected_paths(path, known.own) : matches(path);
+    const std::vector<std::string>& found = listed_files(known, path, is_collection);
     files.insert(files.end(), found.begin(), found.end());
     if (!groups.empty()) files.push_back(groups);
   };

@@ -37,19 +37,19 @@ std::vector<std::string> graph_files_of(const Study& study);
 
 bool is_pattern(const std::string& file);
 [[noreturn]] void refuse_empty(const GraphsEntry& entry);
-/// Returns what matches, by name; the file itself where it exists under that very name, or is no
-/// pattern.
-std::vector<std::string> matches(const std::string& path);
-/// Returns the files of a collection, by name: what matches, and everything in folders that match,
-/// but for the study's own files and journals (StudyFiles::own).
+/// Returns what matches, by name (no folders); the path itself where it exists under that very name,
+/// or is no pattern. Of a collection also everything in folders that match, but for files that a
+/// study has beside its graphs. A study looks once: it always gets this first list.
 /// @throws InputError naming what cannot be read.
-std::vector<std::string> collected_paths(const std::string& path,
-                                         const std::vector<std::string>& own_files);
+const std::vector<std::string>& listed_files(const StudyFiles& files, const std::string& path,
+                                             bool is_collection);
+/// Returns the files that are there now and were not when the study listed its collections.
+std::vector<std::string> files_come_since(const StudyFiles& files);
 /// Returns the files of a collection with their names behind its folder, and their groups:
 /// sub-folders, or as the table says. @throws InputError as above, and naming a line of the table
 /// that is none.
 std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry,
-                                        const std::vector<std::string>& own_files);
+                                        const StudyFiles& files);
 
 /// Returns the graph of a choice with a corpus: that of the place `index`, its labels permuted by
 /// the seed where the parameters say so.

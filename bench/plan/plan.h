@@ -66,9 +66,11 @@ struct PlannedBlock {
   std::size_t step = 1;   ///< between the indices of two neighbours, or their places in the corpus
   std::size_t count = 1;
   std::size_t first_in_corpus = 0;  ///< place of the first instance in the corpus's order
-  std::size_t first_place = 0;      ///< of the first instance among all
-  std::size_t first_row = 0;        ///< of the first instance's first run
-  bool is_explicit = false;         ///< one instance whose seed and keys stand as they are
+  /// Holds, of a shard, the places in the corpus's order that the places above count; null: all.
+  std::shared_ptr<const std::vector<std::uint32_t>> taken = {};
+  std::size_t first_place = 0;  ///< of the first instance among all
+  std::size_t first_row = 0;    ///< of the first instance's first run
+  bool is_explicit = false;     ///< one instance whose seed and keys stand as they are
 };
 
 /// Represents the instances of a plan in order. They are kept as blocks and made when asked for, so
@@ -89,6 +91,10 @@ class PlannedInstances {
   void append(PlannedBlock block);
   /// Returns, of these instances, place `first` and every n-th after it. @pre first < n.
   PlannedInstances every_nth(std::size_t first, std::size_t n) const;
+  /// Returns one of n parts. Where the graph of a file goes is a function of the file's graphs and
+  /// its number there, so that files that come move none; others are dealt out in turn. @pre
+  /// part < n. Memory: 4 bytes a graph.
+  PlannedInstances part_of(std::size_t part, std::size_t n) const;
   /// Appends one instance, as it stands but for the numbers of its rows.
   void push_back(PlannedInstance instance);
 
@@ -102,6 +108,8 @@ class PlannedInstances {
     return {boost::counting_iterator<std::size_t>(place),
             [this](std::size_t i) { return (*this)[i]; }};
   }
+
+  void append_every_nth(PlannedBlock block, std::size_t skipped, std::size_t n);
 
   std::uint64_t study_seed_;
   std::vector<PlannedBlock> blocks_;

@@ -116,7 +116,8 @@ PlannedInstance PlannedInstances::operator[](std::size_t place) const {
   for (PlannedRun& run : instance.runs) run.row = row++;
   if (block.is_explicit) return instance;
   if (const auto& corpus = instance.choice.corpus) {
-    instance.index = corpus->graphs->place(block.first_in_corpus + within * block.step);
+    const std::size_t at = block.first_in_corpus + within * block.step;
+    instance.index = corpus->graphs->place(block.taken ? (*block.taken)[at] : at);
   } else {
     instance.index += static_cast<std::uint32_t>(within * block.step);  // at most 10^7 instances
   }
@@ -143,19 +144,51 @@ void PlannedInstances::append(PlannedBlock block) {
   blocks_.push_back(std::move(block));
 }
 
+// @param skipped  how many instances stand before the first that is taken.
+void PlannedInstances::append_every_nth(PlannedBlock block, std::size_t skipped, std::size_t n) {
+  if (skipped >= block.count) return;
+  block.first.index += static_cast<std::uint32_t>(skipped * block.step);
+  block.first_in_corpus += skipped * block.step;
+  block.count = (block.count - skipped - 1) / n + 1;
+  block.step *= n;
+  append(std::move(block));
+}
+
 PlannedInstances PlannedInstances::every_nth(std::size_t first, std::size_t n) const {
   PlannedInstances part(study_seed_);
-  for (PlannedBlock block : blocks_) {
-    // The first of its instances that is taken.
-    const std::size_t skipped = (first + n - block.first_place % n) % n;
-    if (skipped >= block.count) continue;
-    block.first.index += static_cast<std::uint32_t>(skipped * block.step);
-    block.first_in_corpus += skipped * block.step;
-    block.count = (block.count - skipped - 1) / n + 1;
-    block.step *= n;
-    part.append(std::move(block));
+  for (const PlannedBlock& block : blocks_) {
+    part.append_every_nth(block, (first + n - block.first_place % n) % n, n);
   }
   return part;
+}
+
+PlannedInstances PlannedInstances::part_of(std::size_t part, std::size_t n) const {
+  PlannedInstances instances(study_seed_);
+  std::size_t dealt = 0;  // of families
+  for (PlannedBlock block : blocks_) {
+    const auto& corpus = block.first.choice.corpus;
+    if (!corpus) {
+      instances.append_every_nth(block, (part + n - dealt % n) % n, n);
+      dealt += block.count;
+      continue;
+    }
+    auto taken = std::make_shared<std::vector<std::uint32_t>>();
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const std::size_t at = block.first_in_corpus + i * block.step;
+      const std::uint32_t place = corpus->graphs->place(at);
+      const CollectedFile& file = corpus->graphs->file_at(place);
+      const std::uint64_t number = place - static_cast<std::uint64_t>(file.first);
+      const std::uint64_t of_file = XXH3_64bits(file.hash.data(), file.hash.size()) % n;
+      if ((of_file + number) % n == part) taken->push_back(static_cast<std::uint32_t>(at));
+    }
+    if (taken->empty()) continue;
+    block.count = taken->size();
+    block.first_in_corpus = 0;
+    block.step = 1;
+    block.taken = std::move(taken);
+    instances.append(std::move(block));
+  }
+  return instances;
 }
 
 void PlannedInstances::push_back(PlannedInstance instance) {

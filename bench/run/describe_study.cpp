@@ -63,9 +63,9 @@ EnvironmentEntry program_entry(const ExternalAlgorithm& program) {
 
 }  // namespace
 
-std::string now_with_zone() {
+std::string time_with_zone(std::chrono::system_clock::time_point time) {
   using namespace std::chrono;
-  const auto now = system_clock::now().time_since_epoch();
+  const auto now = time.time_since_epoch();
   const auto seconds = duration_cast<std::chrono::seconds>(now);
   return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:06}+00:00",
                      fmt::gmtime(static_cast<std::time_t>(seconds.count())),
@@ -116,22 +116,13 @@ std::string notes_text(const std::vector<StudyCorpus>& corpora) {
   return fmt::format("{}", fmt::join(notes, "; "));
 }
 
-Results describe_study(const Study& study, int workers) {
-  const StudySpec& spec = study.spec;
-  Results results;
-  results.study_id = spec.name;
-  results.spec = spec.text;
-  results.spec_hash = content_hash(spec.text);
-  results.source_hash = source_hash();
-  results.dirty = source_is_dirty();
-  results.dirty_hash = dirty_hash();
-  results.created = now_with_zone();
-  results.tables = {side_table<AlgorithmRecord>(algorithms_of(spec))};
+std::vector<StoredTable> side_tables_of(const Study& study) {
+  const std::vector<StudyCorpus> corpora = corpora_of(study);
+  std::vector<StoredTable> tables = {side_table<AlgorithmRecord>(algorithms_of(study.spec))};
   std::vector<GraphFileRecord> files;
   std::vector<SkippedFile> skipped;
   std::vector<CollectedFile> collected;
   std::set<std::string> known;
-  const std::vector<StudyCorpus> corpora = corpora_of(study);
   for (const StudyCorpus& corpus : corpora) {
     files.push_back(corpus.record);
     if (!known.insert(corpus.record.name).second) continue;  // the same in another sweep
@@ -153,14 +144,31 @@ Results describe_study(const Study& study, int workers) {
     if (!is_told) skipped.push_back(before);
   }
   if (!files.empty()) {
-    results.tables.push_back(side_table<GraphFileRecord>(files));
-    results.tables.push_back(side_table<CollectedFile>(collected));
-    results.tables.push_back(graphs_table(graphs_to_hold(spec, corpora)));
+    tables.push_back(side_table<GraphFileRecord>(files));
+    tables.push_back(side_table<CollectedFile>(collected));
+    tables.push_back(graphs_table(graphs_to_hold(study.spec, corpora)));
   }
-  if (!skipped.empty()) results.tables.push_back(side_table<SkippedFile>(skipped));
+  if (!skipped.empty()) tables.push_back(side_table<SkippedFile>(skipped));
+  return tables;
+}
+
+Results describe_study(const Study& study, int workers) {
+  const StudySpec& spec = study.spec;
+  Results results;
+  results.study_id = spec.name;
+  results.spec = spec.text;
+  results.spec_hash = content_hash(spec.text);
+  results.source_hash = source_hash();
+  results.dirty = source_is_dirty();
+  results.dirty_hash = dirty_hash();
+  results.created = now_with_zone();
+  results.tables = side_tables_of(study);
   require_programs(spec);
   results.environment = capture_environment(workers);
-  const std::string notes = notes_text(corpora);
+  if (const auto listed = study.files.shelf->listed) {
+    results.environment.push_back({"files_listed", time_with_zone(*listed)});
+  }
+  const std::string notes = notes_text(corpora_of(study));
   if (!notes.empty()) results.environment.push_back({"reading_notes", notes});
   for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
     results.environment.push_back(program_entry(*program));

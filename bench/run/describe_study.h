@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,12 @@
 namespace ar3d {
 
 /// Returns "2026-01-02T03:04:05.678901+00:00".
-std::string now_with_zone();
+std::string time_with_zone(std::chrono::system_clock::time_point time);
+inline std::string now_with_zone() { return time_with_zone(std::chrono::system_clock::now()); }
+
+/// Returns the tables that stand beside a study's rows: its algorithms, files and their graphs.
+/// @throws InputError as corpora_of.
+std::vector<StoredTable> side_tables_of(const Study& study);
 
 /// Returns everything about a study's results but its rows: name, specification, source,
 /// environment, time.

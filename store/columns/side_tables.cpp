@@ -333,4 +333,54 @@ HeldGraphs held_graphs(const StudyIdentity& identity) {
   return graphs;
 }
 
+bool unite_files(StudyIdentity& all, const StudyIdentity& other) {
+  if (side_records<CollectedFile>(all) == side_records<CollectedFile>(other)) return false;
+  using Lines = std::map<std::uint32_t, std::string>;
+  std::map<std::array<std::string, 3>, std::pair<CollectedFile, Lines>> united;
+  std::map<std::array<std::string, 2>, SkippedFile> skipped;
+  for (const StudyIdentity* part : {static_cast<const StudyIdentity*>(&all), &other}) {
+    const HeldGraphs held = held_graphs(*part);
+    for (const CollectedFile& file : side_records<CollectedFile>(*part)) {
+      const auto lines = held.find(file.name);
+      if (lines == held.end()) {
+        throw InputError(
+            fmt::format("the shards have different files of {}, and not their graphs", file.name));
+      }
+      const auto first = static_cast<std::uint32_t>(file.first);
+      const auto end = static_cast<std::uint32_t>(file.first + file.graphs);
+      Lines own;
+      for (auto at = lines->second.lower_bound(first); at != lines->second.lower_bound(end); ++at) {
+        own[at->first - first] = at->second;
+      }
+      united.try_emplace({file.name, file.file, file.hash}, file, std::move(own));
+    }
+    for (SkippedFile& file : side_records<SkippedFile>(*part)) {
+      skipped.try_emplace({file.name, file.file}, file);
+    }
+  }
+  HeldGraphs graphs;
+  std::map<std::string, std::int64_t> places;
+  std::vector<CollectedFile> files;
+  for (auto& [key, entry] : united) {
+    auto& [file, lines] = entry;
+    file.first = std::exchange(places[file.name], places[file.name] + file.graphs);
+    for (auto& [place, line] : lines) {
+      graphs[file.name][static_cast<std::uint32_t>(file.first) + place] = std::move(line);
+    }
+    skipped.erase({file.name, file.file});
+    files.push_back(std::move(file));
+  }
+  const auto put = [&](StoredTable table) {
+    std::erase_if(all.tables,
+                  [&](const StoredTable& old) { return old.spec.name == table.spec.name; });
+    all.tables.push_back(std::move(table));
+  };
+  put(side_table<CollectedFile>(files));
+  put(graphs_table(graphs));
+  std::vector<SkippedFile> left_out;
+  for (auto& [key, file] : skipped) left_out.push_back(std::move(file));
+  if (!left_out.empty()) put(side_table<SkippedFile>(left_out));
+  return true;
+}
+
 }  // namespace ar3d

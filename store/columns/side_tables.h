@@ -49,6 +49,7 @@ struct CollectedFile {
   std::string hash;         ///< of its graphs
   std::int64_t first = 0;   ///< place of its first graph among those of its family
   std::int64_t graphs = 0;  ///< in it
+  bool operator==(const CollectedFile&) const = default;
 };
 
 /// Returns names and columns of the tables that may stand beside the rows, those of records and
@@ -90,5 +91,10 @@ using HeldGraphs = std::map<std::string, std::map<std::uint32_t, std::string>>;
 StoredTable graphs_table(const HeldGraphs& graphs);
 /// Returns the graphs of a study's table. @throws InputError naming what is no word of it.
 HeldGraphs held_graphs(const StudyIdentity& identity);
+
+/// Adds to a study's collected files, skipped files and graphs those of another part of it; then
+/// files are in the order of their names. @return false if both have the same files. @throws
+/// InputError if they have not, and one of them does not hold its graphs.
+bool unite_files(StudyIdentity& all, const StudyIdentity& other);
 
 }  // namespace ar3d

@@ -175,7 +175,7 @@ algorithms = "diamond"
   fs::copy_file(path("four.g6"), path("cubic.s6"), fs::copy_options::overwrite_existing);
   for (const char* verb : {"replay --keep all ", "study resume "}) {
     expect_one_line(run(fmt::format("{{}} {}{}", verb, path("a.h5"))),
-                    "; 1 files are gone or changed, cubic.s6 is the first)");
+                    "; 1 file is gone or changed, cubic.s6 is the first)");
   }
   EXPECT_FALSE(fs::exists(path("a.drawings.jsonl")));
 }

@@ -13,6 +13,8 @@
 //   AR3D_FAULT=fork:K     from the K-th on, no process can be forked
 //   AR3D_FAULT=thread:K   from the K-th on, no thread can be started
 //   AR3D_FAULT=lie:K      forked processes tell lie K (lie_in)
+//   AR3D_FAULT=change:K   before the folder AR3D_FAULT_IN is opened for the K-th time, the file
+//                         AR3D_FAULT_FROM becomes AR3D_FAULT_TO
 //   AR3D_FAULT=nolock:1   locks are granted to everybody (NFS mounted with nolock)
 //   AR3D_FAULT=nolink:L   no hard links and no files without a name; L = 2: nor a rename that
 //                         replaces nothing
@@ -30,6 +32,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -73,7 +76,8 @@ void die() { syscall(SYS_kill, syscall(SYS_getpid), SIGKILL); }
 // Counts a call; true if it is the one.
 bool begins() {
   Fault& f = fault();
-  if (f.is("errno") || f.is("unlink")) return false;  // which count for themselves
+  if (f.is("errno") || f.is("unlink") || f.is("change"))
+    return false;  // which count for themselves
   const bool hit = ++f.calls == f.count;
   if (hit && f.is("before")) die();
   return hit;
@@ -133,6 +137,17 @@ ssize_t real_write(int file, const void* from, std::size_t count) {
   return syscall(SYS_write, file, from, count);
 }
 
+// Somebody else renames a file while the program is at work.
+void change_folder(const char* path) {
+  static const char* const folder = std::getenv("AR3D_FAULT_IN");
+  if (!fault().is("change") || folder == nullptr || path == nullptr ||
+      std::strcmp(path, folder) != 0 || ++fault().calls != fault().count) {
+    return;
+  }
+  syscall(SYS_renameat2, AT_FDCWD, std::getenv("AR3D_FAULT_FROM"), AT_FDCWD,
+          std::getenv("AR3D_FAULT_TO"), 0);
+}
+
 void put_number(void* at, unsigned long number) { std::memcpy(at, &number, sizeof(number)); }
 
 // A reader process says, twice: bytes to come and 1 (or 0, for a message), those bytes. The first
@@ -152,6 +167,9 @@ std::size_t lie_in(char* said, std::size_t size, long call) {
   if (lie == 11 || (lie == 12 && call == 2)) {
     for (;;) pause();
   }
+  if (lie == 13) return std::min<std::size_t>(size, 1);  // a byte a call, which comes late
+  if (lie == 14 && call == 2) return size / 2;           // the rest never comes
+  if (lie == 15 && call == 1) put_number(said, 1UL << 30);
   if (lie == 10 && call >= 3 && call <= 4) return call == 3 ? (put_number(said, 0), size) : 0;
   return size;
 }
@@ -181,7 +199,9 @@ ssize_t send(int socket, const void* from, std::size_t count, int flags) {
   }
   std::string said(static_cast<const char*>(from), count);
   said.resize(lie_in(said.data(), count, ++fault().calls));
+  if (fault().count == 13) usleep(200000);
   const auto sent = syscall(SYS_sendto, socket, said.data(), said.size(), flags, nullptr, 0);
+  if (fault().count == 13) return sent;
   return sent == static_cast<long>(said.size()) ? static_cast<ssize_t>(count) : sent;
 }
 
@@ -264,6 +284,7 @@ int renameat2(int from_folder, const char* from, int to_folder, const char* to,
 }
 
 DIR* opendir(const char* path) {
+  change_folder(path);
   if (is_refused(path, EMFILE)) return nullptr;
   static const auto real = reinterpret_cast<DIR* (*)(const char*)>(dlsym(RTLD_NEXT, "opendir"));
   if (fault().is("list") && ++fault().calls >= fault().count) {
@@ -271,6 +292,15 @@ DIR* opendir(const char* path) {
     return nullptr;
   }
   return real(path);
+}
+
+int openat(int folder, const char* path, int flags, ...) {
+  va_list arguments;
+  va_start(arguments, flags);
+  const int mode = (flags & (O_CREAT | __O_TMPFILE)) != 0 ? va_arg(arguments, int) : 0;
+  va_end(arguments);
+  if ((flags & O_DIRECTORY) != 0) change_folder(path);
+  return static_cast<int>(syscall(SYS_openat, folder, path, flags, mode));
 }
 
 int open(const char* path, int flags, ...) {
