@@ -28,7 +28,7 @@ STUDY = """study = "s"
 [[algorithm]]
 name = "mine"
 command = ["python3", "mine.py"]
-time_limit_s = 4
+time_limit_s = %d
 %s
 [[sweep]]
 families = "random-cubic"
@@ -37,7 +37,7 @@ algorithms = "mine"
 """
 HUNT = "ar3d hunt -q --study s.toml --algorithm mine --family random-cubic -n 10 --evaluations 4 -o o "
 FAILING = {  # what it does instead of an answer: kind, text
-    "time.sleep(1000)": ("timeout", "no answer within 4 s"),
+    "time.sleep(1000)": ("timeout", "no answer within 3 s"),
     "sys.exit(0)": ("crashed", "ended with code 0 before it answered"),
     "os.abort()": ("crashed", "was killed by signal 6"),
     "while True: os.write(1, b'x' * 1000000)": ("crashed", "answered more than"),
@@ -47,13 +47,9 @@ FAILING = {  # what it does instead of an answer: kind, text
 
 
 class OwnProgramsInHunt(Program):
-    def setUp(self):
-        super().setUp()
-        write("s.toml", STUDY % "")
-
-    def program(self, body, more=""):
+    def program(self, body, more="", limit=60):
         write("mine.py", BODY % body)
-        write("s.toml", STUDY % more)
+        write("s.toml", STUDY % (limit, more))
 
     def nothing_is_left(self):
         """No process has this folder as its working directory."""
@@ -69,7 +65,7 @@ class OwnProgramsInHunt(Program):
 
     def test_a_failure_is_no_violation(self):
         for body, (kind, text) in FAILING.items():
-            self.program(body)
+            self.program(body, limit=3 if kind == "timeout" else 60)
             said = self.expect(HUNT + "--force", 5, [f"NOT DRAWN: {kind}: {text}", "0 graphs drawn and certified", "wrote o.txt"])
             self.assertNotIn("VIOLATED", said.out)
             self.assertNotIn("box", said.out)
@@ -104,7 +100,7 @@ class OwnProgramsInHunt(Program):
 
     def test_a_failure_that_does_not_come_again_stays_one(self):
         """Slow at first, right later: what shrink keeps is what it saw."""
-        self.program("answer(n) if os.path.exists('slow') else [open('slow', 'w'), time.sleep(1000)]")
+        self.program("answer(n) if os.path.exists('slow') else [open('slow', 'w'), time.sleep(1000)]", limit=12)
         self.expect(HUNT, 5, "timeout")
         os.remove("slow")
         self.expect("ar3d shrink -q o.s6 --study s.toml --algorithm mine --failure timeout -o p --evaluations 20", 5,
@@ -121,7 +117,7 @@ class OwnProgramsInHunt(Program):
             for body, ends, keeps in (("answer(n)", 4, ""), ("time.sleep(1000)", 5, "--failure timeout"), ("os.abort()", 5, "--failure crash")):
                 if "sleep" in body and more != wrong:
                     continue
-                self.program("leave(); " + body, more)
+                self.program("leave(); " + body, more, limit=3 if "sleep" in body else 60)
                 self.expect(HUNT + "--force", ends)
                 self.nothing_is_left()
                 self.expect(f"ar3d shrink -q o.s6 --study s.toml --algorithm mine {keeps} -o p --force --evaluations 1", ends)
