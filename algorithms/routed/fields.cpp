@@ -15,7 +15,6 @@ using Cost = CostFields::Cost;
 /// Eight points of a row: the cheapest of five ways there, and their own costs.
 inline void relax(Cost* __restrict out, const Cost* cost, const Cost* on, const Cost* a,
                   const Cost* b, const Cost* c, const Cost* d) {
-#pragma omp simd
   for (int k = 0; k < CostFields::kVector; ++k) {
     const Cost least = std::min(std::min(std::min(on[k], a[k]), std::min(b[k], c[k])), d[k]);
     out[k] = std::min(static_cast<Cost>(least + cost[k]), CostFields::kInfinite);

@@ -190,7 +190,6 @@ void RouteSearch::note_arrivals(std::size_t neighbour) {
         if (!fields_.is_open(p)) continue;
         const Cost* from = field + fields_.index(p);
         Cost* to = costs.data() + r * place_lanes_;
-#pragma omp simd
         for (std::size_t k = 0; k < place_lanes_; ++k) to[k] = std::min(to[k], from[k]);
       }
     }
