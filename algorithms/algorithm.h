@@ -23,7 +23,7 @@ struct Algorithm {
   std::vector<SettingSpec> options;
   std::function<Drawing(const Graph&, const Settings&)> draw;  ///< with complete values: draw()
   bool by_name_only = false;  ///< "all" in a study does not mean it
-  bool is_foreign = false;    ///< a program of somebody else draws: what it answers is not trusted
+  bool is_foreign = false;    ///< another program draws: its answers are not trusted
   bool is_judged = true;      ///< false: it promises nothing, its drawings are only measured
 };
 

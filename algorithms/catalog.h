@@ -11,7 +11,7 @@ namespace ar3d {
 const std::vector<Algorithm>& algorithms();
 
 /// Returns what "all" means in a study: those whose every drawing keeps its guarantee. Others are
-/// named where somebody wants them: those that are measured, and those made only for comparison
+/// named where they are wanted: those that are measured, and those made only for comparison
 /// (by_name_only).
 std::vector<const Algorithm*> proved_algorithms();
 

@@ -45,7 +45,7 @@ struct CheckVerdict {
   std::size_t measured = 0;  ///< rows of programs without a guarantee: drawn, not judged
   std::size_t refused = 0;
   std::size_t unproved = 0;       ///< not violated, but judged by another certificate than exact
-  bool accepts_unproved = false;  ///< somebody asked that these do no harm
+  bool accepts_unproved = false;  ///< the caller asked that these do no harm
   std::size_t violated_rows = 0;
   std::size_t incomplete_rows = 0;
   std::size_t violations = 0;     ///< findings that prove something wrong

@@ -55,7 +55,7 @@ struct TableColumn {
   bool in_csv = true;        ///< false: it is for the page only
 };
 
-/// Holds what analysis finds, for whoever shows it: named, typed columns and rows. It knows no
+/// Holds what analysis finds, to be shown: named, typed columns and rows. It knows no
 /// page.
 struct Table {
   std::string name;

@@ -47,7 +47,7 @@ struct DrawArguments {
 struct Drawer {
   const Algorithm& algorithm;
   Settings options;
-  bool is_told = true;  ///< false: nobody asked for it, which is still to be said
+  bool is_told = true;  ///< false: chosen by the program, which is still to be said
 };
 
 /// Holds how the drawings are made and judged.
@@ -67,8 +67,8 @@ struct GraphToDraw {
 
 using GraphInputs = SeveralInputs<GraphReader>;
 
-/// The first of the drawers whose theorem holds for the graph, else the last; a choice that nobody
-/// made is said once.
+/// The first of the drawers whose theorem holds for the graph, else the last; the program's choice
+/// is said once.
 const Drawer& drawer_of(const Graph& graph, std::vector<Drawer>& drawers,
                         const std::string& where) {
   const auto draws = [&](const Drawer& drawer) {

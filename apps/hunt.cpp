@@ -45,7 +45,7 @@ void add_subject_options(CLI::App& verb, HuntArguments& arguments) {
   add_force(verb, arguments.force);
 }
 
-/// @throws InputError if the exhibit would go to a stream, over the input or over somebody's
+/// @throws InputError if the exhibit would go to a stream, over the input or over other
 /// results.
 void refuse_unsafe_exhibit(const HuntArguments& arguments) {
   const std::string& prefix = arguments.output;

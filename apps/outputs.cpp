@@ -1,4 +1,4 @@
-// Looks at all files of a verb before it works: what somebody still needs is not replaced.
+// Looks at all files of a verb before it works: what is still needed is not replaced.
 #include "outputs.h"
 
 #include <fmt/format.h>

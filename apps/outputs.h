@@ -27,7 +27,7 @@ struct VerbFiles {
   bool streams = true;                           ///< "-" as an output is standard output
 };
 
-/// Refuses to write what somebody still needs:
+/// Refuses to write over what is still needed:
 /// - an output that is an input of the same verb, or another of its outputs, under whatever name
 ///   (links and `..` are followed);
 /// - a journal, or the results file of a study that is not finished;
@@ -49,7 +49,7 @@ void refuse_foreign_ending(const std::string& path, const std::vector<std::strin
 /// of its programs' commands that are files.
 std::vector<std::string> files_of_study(const StudyIdentity& identity, const std::string& results);
 
-/// Refuses to replace what is no report of ar3d by a report whose name nobody has given, since it
+/// Refuses to replace what is no report of ar3d by a report whose name was not given, since it
 /// follows from that of the results. @throws InputError naming the file.
 void refuse_foreign_page(const std::string& page, const std::string& results);
 

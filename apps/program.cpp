@@ -194,9 +194,9 @@ int run(int argc, char** argv) {
   return exit_code;
 }
 
-// Makes good what whoever starts the program may have left: a standard descriptor that is closed
+// Mends what the starting program may have left: a standard descriptor that is closed
 // would become the next file's, which then takes messages (it becomes one that neither reads nor
-// writes); children that nobody waits for cannot be waited for; a file size limit is an error of the
+// writes); children that are not waited for; a file size limit is an error of the
 // write, like a full disk.
 void begin_process() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
@@ -236,7 +236,7 @@ void check_openmp() {
   }
 }
 
-// A verdict that nobody could read is none: standard output that could not take all of it (a full
+// A verdict that cannot be read is none: standard output that could not take all of it (a full
 // disk) is an error of every verb.
 int with_output_flushed(int exit_code) {
   errno = 0;

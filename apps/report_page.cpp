@@ -55,7 +55,7 @@ SinceReference since_committed(const Rows& rows) {
 std::optional<Drawing> drawn_again(const RunRecord& row, const StudyOrigin& origin) {
   if (row.n > kMostVertices) return {};  // whatever the file says of its edges
   try {
-    find_algorithm(row.algorithm);  // a program of somebody else is not run for a page
+    find_algorithm(row.algorithm);  // a foreign program is not run for a page
     Drawing drawing = redrawn(row, origin);
     if (drawing_hash(drawing) != row.drawing_hash) return {};
     return drawing;

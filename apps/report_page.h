@@ -14,7 +14,7 @@ SinceReference since_reference(const Rows& rows, const std::string& reference);
 
 /// Returns drawings of the graphs that come closest to their bounds, made again from their rows: at
 /// most 200 of at most 1,000 edges each, as long as they take fewer than 300,000 bytes. A graph of
-/// a file, a drawing of somebody else's program, and one that does not come out as it was recorded
+/// a file, a drawing of a foreign program, and one that does not come out as it was recorded
 /// are left out.
 ShownDrawings shown_drawings(const StudyAnalysis& analysis);
 

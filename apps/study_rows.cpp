@@ -20,7 +20,7 @@ namespace ar3d {
 namespace {
 
 // Rows that the study is complete with. Of one that times drawings until a precision is reached
-// nobody knows before how many it will have: those that are there are looked at.
+// how many it will have is not known before: those that are there are looked at.
 std::int64_t planned_rows(const std::string& file, const StudyIdentity& identity) {
   const JournaledStudy study = begun_study(file);
   const bool is_open =
@@ -114,7 +114,7 @@ void print_details(const Standing& standing, const std::string& file) {
   }
 }
 
-// One line per second until nobody writes any more.
+// One line per second until the writing has ended.
 Standing watch(const std::string& file) {
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   const auto start = std::chrono::steady_clock::now();
@@ -233,7 +233,7 @@ void add_study_status(CLI::App& study, int& exit_code) {
       study.add_subcommand("status", "Tells how far a study is, also while it is running");
   const auto arguments = std::make_shared<StatusArguments>();
   verb->add_option("FILE", arguments->file, "its results file or its journal")->required();
-  verb->add_flag("--watch", arguments->watch, "tell it every second until nobody writes any more");
+  verb->add_flag("--watch", arguments->watch, "print it every second until the study has ended");
   CLI::Option* const snapshot = verb->add_option(
       "--snapshot", arguments->snapshot, "write the rows so far as a results file of their own");
   add_json(*verb)->excludes(snapshot)->excludes(verb->get_option("--watch"));

@@ -59,7 +59,7 @@ enum class LineVerdict {
   not_drawn,
   measured,  ///< in a real type, not violated: nothing is proved
   unproved,  ///< not violated, by another certificate than exact
-  unknown,   ///< of an algorithm whose promises nobody knows here
+  unknown,   ///< of an algorithm whose promises are not known here
 };
 using JudgedLine = std::pair<LineVerdict, std::string>;  // with what is printed of it
 

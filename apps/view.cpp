@@ -24,7 +24,7 @@ std::string page_of(const std::vector<std::string>& inputs) {
   return std::filesystem::path(inputs[0]).replace_extension(".html").string();
 }
 
-/// Refuses what stands under a name that nobody gave, unless it is such a page.
+/// Refuses what stands under a name that was not given, unless it is such a page.
 void refuse_other_file(const std::string& page) {
   const std::string beginning = beginning_of(page);
   if (beginning.empty() || beginning.find(kViewerMark) != std::string::npos) return;

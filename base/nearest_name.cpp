@@ -1,4 +1,4 @@
-// Finds the name that somebody meant, for messages about unknown names.
+// Finds the name that was meant, for messages about unknown names.
 #include "ar3d/base/nearest_name.h"
 
 #include <algorithm>

@@ -37,7 +37,7 @@ void sync_directory(const std::string& target) {
 }
 
 /// For as long as the open file is: by this no other process takes it for a leftover. Where locks
-/// are unknown nobody has them, and nothing is ever removed.
+/// are unknown no process has them, and nothing is ever removed.
 bool lock(int descriptor) {
   struct flock whole {};
   whole.l_type = F_WRLCK;
@@ -188,7 +188,7 @@ void remove_leftovers(const std::string& path) {
     const Descriptor file(open(at->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     struct stat status {};
     const bool is_file = fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode);
-    struct stat named {};  // a second name of the target itself, which somebody may have locked
+    struct stat named {};  // a second name of the target itself, which may be locked
     const bool is_target = stat(target.c_str(), &named) == 0 && named.st_dev == status.st_dev &&
                            named.st_ino == status.st_ino;
     if (is_file && (is_target || lock(file.get()))) unlink(at->path().c_str());

@@ -76,7 +76,7 @@ bool create_file_atomically(const std::string& path, std::span<const char> bytes
 void require_writable(const std::string& path);
 
 /// Gives a new file in the folder for temporary files ($TMPDIR, else /tmp), open to read and write,
-/// whose name nobody can know before. @param path  becomes its name, which begins with `beginning`.
+/// whose name cannot be known before. @param path  becomes its name, which begins with `beginning`.
 /// @throws InputError naming it if there can be no such file.
 Descriptor new_temporary_file(const std::string& beginning, std::string& path);
 

@@ -10,9 +10,9 @@
 
 namespace ar3d {
 
-/// Writes what people read, whoever wrote the values: no escape sequence of theirs reaches the
+/// Writes what people read, wherever the values come from: no escape sequence of theirs reaches the
 /// terminal. Everything that a verb says goes through here; what is data for programs (drawings,
-/// graphs, JSON) does not. A message that standard error does not take is lost, since nobody can be
+/// graphs, JSON) does not. A message that standard error does not take is lost, since no reader can be
 /// told. @throws std::system_error where another file does not take it.
 template <class... Values>
 void say(std::FILE* to, fmt::format_string<Values...> format, Values&&... values) {

@@ -154,7 +154,7 @@ pid_t fork_or_refuse(const std::string& what) {
   if (child < 0) {
     throw InputError(fmt::format("cannot start {}: {}", what, std::strerror(errno)));
   }
-  if (child > 0) setpgid(child, child);  // whoever comes first, the parent or the child
+  if (child > 0) setpgid(child, child);  // the parent or the child, whichever comes first
   return child;
 }
 
@@ -295,7 +295,7 @@ int Child::wait() {
   return finish();
 }
 
-// The group goes first: while its leader is a zombie, nobody else can have its number.
+// The group goes first: while its leader is a zombie, no other process can have its number.
 int Child::finish() {
   if (pid_ > 0) {
     ::kill(-pid_, SIGKILL);

@@ -64,7 +64,7 @@ class RealPointsBuilder {
 
 /// A drawing made in a real type. Its own integer points are a picture for viewers and exports:
 /// the nearest multiples of a power of two, at most 2^-30, that lets all of them fit. Its exact
-/// points are Drawing::real; whoever judges it reads these.
+/// points are Drawing::real; the judge reads these.
 /// @param edges  in the order of the bends of `points`.
 /// @throws InputError if the numbers of vertices or edges do not fit.
 Drawing real_drawing(std::string algorithm, std::shared_ptr<const std::vector<Edge>> edges,

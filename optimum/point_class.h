@@ -14,7 +14,7 @@ struct PointClass {
   std::vector<std::array<int, 3>> points;    ///< ascending
   std::vector<std::vector<int>> neighbours;  ///< [point][step], -1 outside of the box
   /// Images of all points under each symmetry of the box that keeps the class (and the z axis if
-  /// vertices are in a plane), but for the identity.
+  /// vertices are in a plane), except the identity.
   std::vector<std::vector<int>> symmetries;
 };
 

@@ -55,7 +55,7 @@ class Rows {
 
   std::size_t size() const { return size_; }
   /// Returns a row with its bounds, valid until the next call. Of a journal it is cheap; of a
-  /// results file it unpacks 512 rows, but for the next ones in the order of the file.
+  /// results file it unpacks 512 rows, unless the next one in the file is asked for.
   /// @throws InputError naming file and row.
   const RunRecord& run(std::size_t row) const;
   /// Writes its record. Sessions are numbered as in environment().

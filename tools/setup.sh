@@ -62,7 +62,7 @@ configure() {
   (cd "$AR3D_ROOT" && cmake --preset "$preset" ${AR3D_CONFIGURE:-} "$@") >"$log" 2>&1 || { cat "$log" >&2; return 1; }
 }
 
-# build PRESET TARGET: configures if nobody did, then lets ninja decide what has changed.
+# build PRESET TARGET: configures where that was not done, then lets ninja decide what has changed.
 # The output goes to a log that is shown only if something fails; a build of more than two seconds says how far it is.
 build() {
   local preset=$1 target=$2 folder=$(folder_of "$1") ninja

@@ -27,7 +27,7 @@ class TakenPlaces {
     const std::size_t bit = bit_of(place);
     words_[bit / 32] ^= std::uint32_t{1} << bit % 32;
   }
-  // For who looks at several: the bit of a place is 2 (column * rows_of_column() + (V + 2 type) /
+  // To look at several: the bit of a place is 2 (column * rows_of_column() + (V + 2 type) /
   // 8) + type, below 2^31, in words of 32.
   std::int32_t rows_of_column() const { return static_cast<std::int32_t>(rows_of_column_); }
   const std::uint32_t* words() const { return words_.data(); }

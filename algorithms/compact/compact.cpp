@@ -110,7 +110,7 @@ Algorithm row() {
 }
 
 // Lemma C.6, and the drawing in space. The sites of the two ends and one byte per edge give the
-// word and with it all five bends, so bends are computed when somebody reads them, in O(1).
+// word and with it all five bends, so bends are computed when they are read, in O(1).
 
 std::array<std::int64_t, 3> box_of(const StripSize& size) {
   // U stays within 4 of the vertices' range 0 .. 4 columns - 2, and V within span/2 + 2 of -2 .. 4

@@ -45,12 +45,12 @@ class NarrowPlacer {
 
   bool place(const std::vector<Vertex>& waiting) {
     const Vertex v = waiting.back();
-    ask_for_neighbours(v + kAhead);
+    prefetch_neighbours(v + kAhead);
     const JoinedVertex joined = joined_of(v);
     for (int tried = 0; tried < kNarrowTrials; tried += static_cast<int>(kCellsAtOnce)) {
       if (place_in_some_cell(v, joined)) return true;
-      if (tried == kHalfway) ask_for_ejection(v, false);
-      if (tried == kNearTheEnd) ask_for_ejection(v, true);
+      if (tried == kHalfway) prefetch_ejection(v, false);
+      if (tried == kNearTheEnd) prefetch_ejection(v, true);
     }
     return false;
   }
@@ -72,8 +72,8 @@ class NarrowPlacer {
     for (std::size_t i = 0; i < joined.edges.size(); ++i) {
       const MiddleLine line = line_of(joined.edges[i], end);
       pieces[i] = piece_of(line, words_[line.word + variant_[joined.edges[i].edge]]);
-      lines_.ask_for(pieces[i].line);
-      lines_.ask_for_pieces(pieces[i].line);
+      lines_.prefetch(pieces[i].line);
+      lines_.prefetch_pieces(pieces[i].line);
     }
     for (std::size_t i = 0; i < joined.edges.size(); ++i) lines_.erase(pieces[i]);
     taken_.flip(own);
@@ -121,7 +121,7 @@ class NarrowPlacer {
     }
   };
 
-  void ask_for_neighbours(Vertex v) const {
+  void prefetch_neighbours(Vertex v) const {
     if (v >= links_.at.size()) return;
     for (const HalfEdge& edge : links_.at[v]) {
       if (edge.to != kNobody) __builtin_prefetch(&places_[edge.to]);
@@ -129,7 +129,7 @@ class NarrowPlacer {
   }
 
   /// Asks for the edges of v's neighbours, or for what removing one of them reads of these.
-  void ask_for_ejection(Vertex v, bool edges_are_there) const {
+  void prefetch_ejection(Vertex v, bool edges_are_there) const {
     for (const HalfEdge& edge : links_.at[v]) {
       if (edge.to == kNobody) continue;
       if (!edges_are_there) {
@@ -252,11 +252,11 @@ class NarrowPlacer {
     std::array<MiddleLine, 4> middle;
     for (std::size_t i = 0; i < joined.edges.size(); ++i) {
       middle[i] = line_of(joined.edges[i], end);
-      lines_.ask_for(middle[i].number);
+      lines_.prefetch(middle[i].number);
     }
     const std::uint64_t arrival = joined.has_arrival ? arrival_line(end) : 0;
-    if (joined.has_arrival) lines_.ask_for(arrival);
-    for (std::size_t i = 0; i < joined.edges.size(); ++i) lines_.ask_for_pieces(middle[i].number);
+    if (joined.has_arrival) lines_.prefetch(arrival);
+    for (std::size_t i = 0; i < joined.edges.size(); ++i) lines_.prefetch_pieces(middle[i].number);
     Plan plan;
     for (std::size_t i = 0; i < joined.edges.size(); ++i) {
       if (!plan_edge(middle[i], joined.edges[i].red, plan)) return false;

@@ -53,7 +53,7 @@ class NarrowLines {
   /// The hash table gets the piece kLate insertions later, when the memory has sent its entry.
   void insert(const Piece& piece) {
     bits_[piece.line / 32] |= kPiece << shift_of(piece.line);
-    pieces_.ask_for(piece.line);
+    pieces_.prefetch(piece.line);
     Piece& late = late_[next_late_++ % kLate];
     if (late.line != 0) pieces_.insert(late);
     late = piece;
@@ -63,9 +63,10 @@ class NarrowLines {
   void flip_arrival(std::uint64_t line) { bits_[line / 32] ^= kArrival << shift_of(line); }
 
   // Ask the memory for what is_free() will read, without waiting: always, and of lines with pieces.
-  void ask_for(std::uint64_t line) const { __builtin_prefetch(&bits_[line / 32]); }
-  void ask_for_pieces(std::uint64_t line) const {
-    pieces_.ask_for(bits_of(line) == kPiece ? line : 0);  // some entry: no branch on what is random
+  void prefetch(std::uint64_t line) const { __builtin_prefetch(&bits_[line / 32]); }
+  void prefetch_pieces(std::uint64_t line) const {
+    pieces_.prefetch(bits_of(line) == kPiece ? line
+                                             : 0);  // some entry: no branch on what is random
   }
 
  private:

@@ -87,7 +87,7 @@ using WordTable = std::array<WordConstants, 64>;
 /// The constants of all words, read off word_of(); `step` is 0.
 WordTable word_table();
 
-/// The numbers of an edge but for its word's constants, and where these are.
+/// The numbers of an edge except its word's constants, and where these are.
 struct MiddleLine {
   std::array<std::int32_t, 3> length;
   std::int32_t first;

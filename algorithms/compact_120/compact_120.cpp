@@ -128,7 +128,7 @@ Algorithm row() {
 }
 
 // Lemma D.10, and the drawing in space. The sites of the two ends and one byte per edge give the
-// word and with it all five bends, so bends are computed when somebody reads them, in O(1).
+// word and with it all five bends, so bends are computed when they are read, in O(1).
 
 std::array<std::int64_t, 3> box_of(const StripSize& size) {
   const std::int64_t last = size.columns - 1;

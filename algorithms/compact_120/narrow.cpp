@@ -47,17 +47,17 @@ class OrderedPlacer {
     const auto after = [&](std::size_t i) {
       return waiting[waiting.size() - std::min(waiting.size(), i + 1)];
     };
-    strip_.ask_for_edges(after(2 * kAhead));
-    strip_.ask_for_neighbours(after(kAhead));
+    strip_.prefetch_edges(after(2 * kAhead));
+    strip_.prefetch_neighbours(after(kAhead));
     const Vertex v = waiting.back();
     const auto [left, right] = columns_for(v);
     if (left > right) {
-      ask_for_ejection(v);
+      prefetch_ejection(v);
       return false;
     }
     for (int trial = 0; trial < kTrials; ++trial) {
-      if (trial == kTrials / 3) ask_for_ejection(v);
-      if (trial == 2 * kTrials / 3) strip_.ask_for_removal_of_neighbours(v);
+      if (trial == kTrials / 3) prefetch_ejection(v);
+      if (trial == 2 * kTrials / 3) strip_.prefetch_removal_of_neighbours(v);
       ++census_.trials;
       Site site{pick(left, right), 0, class_of(v)};
       const auto [low, high] = rows_for(v, site);
@@ -86,8 +86,8 @@ class OrderedPlacer {
   void remove(Vertex v) { strip_.remove(v); }
 
  private:
-  void ask_for_ejection(Vertex v) const {
-    strip_.ask_for_edges_of_neighbours(v);
+  void prefetch_ejection(Vertex v) const {
+    strip_.prefetch_edges_of_neighbours(v);
     for (const ArmLink& link : strip_.links().at[v]) {
       if (link.is_set()) __builtin_prefetch(&kinds_[link.to]);
     }

@@ -90,7 +90,7 @@ class ChangingOwners {
   bool set_sides(const Order& order, Vertex v);
   unsigned owned(Node node) const { return owners_.sides[node] >> 3; }
   void set_owned(Node node, unsigned k);
-  void ask_for(Vertex v) const;
+  void prefetch(Vertex v) const;
   void search_all();
   void search_component(Node start);
   void make_root(Node node, unsigned given);

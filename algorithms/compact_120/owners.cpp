@@ -68,7 +68,7 @@ void ChangingOwners::set_owned(Node node, unsigned k) {
 }
 
 /// Asks for what a search that comes to a vertex reads.
-void ChangingOwners::ask_for(Vertex v) const {
+void ChangingOwners::prefetch(Vertex v) const {
   __builtin_prefetch(&rows_[v]);
   __builtin_prefetch(&owners_.sides[2 * std::size_t{v}], 1);
 }
@@ -80,7 +80,7 @@ void ChangingOwners::search_all() {
   }
   for (Vertex v = 0; v < rows_.size(); ++v) {
     if (v + kAhead < rows_.size()) {
-      for (const HalfEdge& edge : rows_[v + kAhead].half) ask_for(edge.to);
+      for (const HalfEdge& edge : rows_[v + kAhead].half) prefetch(edge.to);
     }
     for (const Node node : {2 * v, 2 * v + 1}) {
       if (owned(node) == kUnseen) search_component(node);
@@ -110,7 +110,7 @@ void ChangingOwners::search_component(Node start) {
       if (row.half[k].edge == from) {
         own = k;
       } else {
-        ask_for(row.half[k].to);
+        prefetch(row.half[k].to);
         queue_.push_back({2 * row.half[k].to + (1 - node % 2), row.half[k].edge});
       }
     }
@@ -146,7 +146,7 @@ void ChangingOwners::make_root(Node node, unsigned given) {
 void ChangingOwners::change(const Order& order, const std::vector<Vertex>& vertices) {
   std::vector<Vertex> touched;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (i + kAhead < vertices.size()) ask_for(vertices[i + kAhead]);
+    if (i + kAhead < vertices.size()) prefetch(vertices[i + kAhead]);
     if (set_sides(order, vertices[i])) touched.push_back(vertices[i]);
   }
   if (touched.size() > rows_.size() / 8) {

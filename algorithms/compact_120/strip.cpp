@@ -47,8 +47,8 @@ bool Strip::plan_edge(const ArmLink& link, const Quad& own, Plan& plan) const {
 }
 
 /// Asks for the line of variant 0, which is mostly the one that is taken.
-void Strip::ask_for_line(const ArmLink& link, const Quad& own) const {
-  lines_.ask_for(route_of(link, 0, own, quad_of(sites_[link.to])).middle().line);
+void Strip::prefetch_line(const ArmLink& link, const Quad& own) const {
+  lines_.prefetch(route_of(link, 0, own, quad_of(sites_[link.to])).middle().line);
 }
 
 bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
@@ -56,7 +56,7 @@ bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
   const std::array<ArmLink, 3>& links = links_->at[v];
   const Quad own = quad_of(site);
   for (const ArmLink& link : links) {
-    if (link.is_set() && is_placed(link.to)) ask_for_line(link, own);
+    if (link.is_set() && is_placed(link.to)) prefetch_line(link, own);
   }
   for (const ArmLink& link : links) {
     if (link.is_set() && is_placed(link.to) && !plan_edge(link, own, plan)) return false;
@@ -96,25 +96,25 @@ void Strip::remove(Vertex v) {
     if (!link.is_set() || !is_placed(link.to)) continue;
     const Route route = route_of(link, variant_[link.edge], own, quad_of(sites_[link.to]));
     leaving_.push_back(route.middle());
-    lines_.ask_for(leaving_.back().line);
+    lines_.prefetch(leaving_.back().line);
   }
   free_.flip(sites_[v]);
   sites_[v] = {};
 }
 
-void Strip::ask_for_neighbours(Vertex v) const {
+void Strip::prefetch_neighbours(Vertex v) const {
   for (const ArmLink& link : links_->at[v]) {
     if (link.is_set()) __builtin_prefetch(&sites_[link.to]);
   }
 }
 
-void Strip::ask_for_edges_of_neighbours(Vertex v) const {
+void Strip::prefetch_edges_of_neighbours(Vertex v) const {
   for (const ArmLink& link : links_->at[v]) {
     if (link.is_set()) __builtin_prefetch(&links_->at[link.to]);
   }
 }
 
-void Strip::ask_for_removal_of_neighbours(Vertex v) const {
+void Strip::prefetch_removal_of_neighbours(Vertex v) const {
   for (const ArmLink& link : links_->at[v]) {
     if (!link.is_set()) continue;
     for (const ArmLink& next : links_->at[link.to]) {

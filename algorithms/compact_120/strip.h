@@ -71,10 +71,10 @@ class Strip {
 
   // Ask the memory for what is going to be read, without waiting: the places of the neighbours of
   // v; the edges of its neighbours; what remove() of a neighbour reads of these.
-  void ask_for_edges(Vertex v) const { __builtin_prefetch(&links_->at[v]); }
-  void ask_for_neighbours(Vertex v) const;
-  void ask_for_edges_of_neighbours(Vertex v) const;
-  void ask_for_removal_of_neighbours(Vertex v) const;
+  void prefetch_edges(Vertex v) const { __builtin_prefetch(&links_->at[v]); }
+  void prefetch_neighbours(Vertex v) const;
+  void prefetch_edges_of_neighbours(Vertex v) const;
+  void prefetch_removal_of_neighbours(Vertex v) const;
 
   bool is_placed(Vertex v) const { return sites_[v].is_set(); }
   const Site& site(Vertex v) const { return sites_[v]; }
@@ -103,7 +103,7 @@ class Strip {
   void erase_leaving();
   bool make_plan(Vertex v, Site site, Plan& plan) const;
   bool plan_edge(const ArmLink& link, const Quad& own, Plan& plan) const;
-  void ask_for_line(const ArmLink& link, const Quad& own) const;
+  void prefetch_line(const ArmLink& link, const Quad& own) const;
 
   const Links* links_;  ///< never null
   StripSize size_;

@@ -27,7 +27,7 @@ void set_points(const Items& items, PlanePoints& at, const Set& set) {
                         });
 }
 
-/// Step 1.4. Neighbouring lines, but for a free one at each bad boundary of the green order.
+/// Step 1.4. Neighbouring lines, except for a free one at each bad boundary of the green order.
 std::int64_t assign_x(const Graph& graph, const Items& green, PlanePoints& at) {
   const std::vector<bool> bad = bad_boundaries(graph, green);
   std::vector<std::int32_t> gaps(green.count());  // before the item

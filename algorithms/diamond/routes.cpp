@@ -1,6 +1,6 @@
 // The routes in space: two turns and the apex of every edge, from one number per edge. A route's
 // height is the distance in the plane from its nearer end (Lemma 1.2), so bends are computed when
-// somebody reads them and cost O(1).
+// they are read and cost O(1).
 #include "ar3d/algorithms/diamond/routes.h"
 
 #include "ar3d/base/parallel.h"

@@ -40,7 +40,7 @@ class Labeller {
       f_ = part.cubic ? part.begin : kNoPlace;
       r_ = part.cubic ? part.end - 1 : kNoPlace;
       for (Place v = part.begin + (part.cubic ? 1 : 0); v < part.end; ++v) {
-        ask_for_ports(v + kAhead);
+        prefetch_ports(v + kAhead);
         label_at(v);
       }
     }
@@ -50,7 +50,7 @@ class Labeller {
 
  private:
   /// Memory of v's neighbours, which label_at(v) reads, on its way.
-  [[gnu::always_inline]] void ask_for_ports(Place v) const {
+  [[gnu::always_inline]] void prefetch_ports(Place v) const {
     if (v >= neighbours_.size()) return;
     for (const HalfEdge& half : neighbours_[v].halves()) {
       __builtin_prefetch(&result_.ports[half.to], 1);

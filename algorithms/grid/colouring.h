@@ -26,7 +26,7 @@ struct ColourDefect {
 };
 
 /// Labels of all half-edges, with few defects.
-/// Invariant: the labels at a vertex differ; the two labels of an edge are equal but for the edges
+/// Invariant: the labels at a vertex differ; the two labels of an edge are equal except on the edges
 /// in `defects`. A component has at most one defect with labels 0 and 1.
 struct Colouring {
   UnwrittenVector<Ports> ports;       // by place

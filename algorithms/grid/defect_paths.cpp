@@ -65,7 +65,7 @@ void DefectPaths::collect(std::span<const ColourDefect> defects) {
       auto& vertices = paths[i].vertices;
       vertices.push_back(at[i]);
       at[i] = pool_.neighbour(at[i], paths[i].colour_of(vertices.size()));
-      if (at[i] != kNoPlace) pool_.ask_for_neighbours(at[i]);
+      if (at[i] != kNoPlace) pool_.prefetch_neighbours(at[i]);
       going = true;
     }
   }
@@ -159,8 +159,8 @@ void DefectPaths::grow(Path& path, unsigned side) {
   const Place between = path.vertices[at];
   const auto ahead = [&](std::size_t steps) { return side == 0 ? at - steps : at + steps; };
   if (ahead(std::size_t{2} * kAhead) < path.vertices.size())
-    pool_.ask_for(path.vertices[ahead(std::size_t{2} * kAhead)]);
-  if (ahead(kAhead) < path.vertices.size()) pool_.ask_for_partner(path.vertices[ahead(kAhead)]);
+    pool_.prefetch(path.vertices[ahead(std::size_t{2} * kAhead)]);
+  if (ahead(kAhead) < path.vertices.size()) pool_.prefetch_partner(path.vertices[ahead(kAhead)]);
   const Colour c = path.colour_of(joint);
   std::int64_t h = pool_.next_free(c, std::max(path.side[side] - 1, path.floor));
   while (!pool_.suits(between, c, h)) h = pool_.next_free(c, h + 1);

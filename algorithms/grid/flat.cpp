@@ -8,7 +8,7 @@
 namespace ar3d::grid {
 namespace {
 
-/// (I4) and (I5) but for the emptiness of slots, which DefectPaths keeps.
+/// (I4) and (I5) except the emptiness of slots, which DefectPaths keeps.
 bool obeys(const ColourDefect& defect, const HeightSlot& slot, std::span<const PlaneNumbers> x) {
   const bool x_is_u = defect.label_x == next(defect.label_y);
   const PlaneNumbers& u = x[x_is_u ? defect.x : defect.y];

@@ -57,12 +57,12 @@ class HeightPool {
   bool is_far_from_partner(Place v, std::int64_t pair) const;
 
   /// Asks for the memory of v, and then of its partner, before they are needed.
-  [[gnu::always_inline]] void ask_for(Place v) const {
+  [[gnu::always_inline]] void prefetch(Place v) const {
     __builtin_prefetch(&ports_[v]);
     __builtin_prefetch(&x_[v], 1);
   }
-  [[gnu::always_inline]] void ask_for_neighbours(Place v) const { __builtin_prefetch(&ports_[v]); }
-  [[gnu::always_inline]] void ask_for_partner(Place v) const {
+  [[gnu::always_inline]] void prefetch_neighbours(Place v) const { __builtin_prefetch(&ports_[v]); }
+  [[gnu::always_inline]] void prefetch_partner(Place v) const {
     if (neighbour(v, 2) != kNoPlace) __builtin_prefetch(&x_[neighbour(v, 2)]);
   }
 
@@ -108,7 +108,7 @@ struct HeightSlot {
 /// The paths of colours 0 and 1 of one component that end at the x of a defect.
 /// Every x is put above its y in both heights, with the defect's slot between:
 /// h_k(y) < low, low + 1 < h_k(x), h_l(x) - h_l(y) >= low + 2 - h_k(y) with l = label_x, k = 1 - l.
-/// A path is numbered from its middle upwards to both ends; paths that wait for nobody come first,
+/// A path is numbered from its middle upwards to both ends; paths that wait for no other come first,
 /// one above the other; the rest grow side by side, so that their ends come last.
 class DefectPaths {
  public:

@@ -117,15 +117,15 @@ void number_cycle(HeightPool& pool, Place start, std::vector<Place>& buffer) {
   GrowingChain chain(pool);
   ChainLink low = chain.first(1);
   ChainLink high = low;
-  const auto ask_ahead = [&](bool from_front) __attribute__((always_inline)) {
+  const auto prefetch_ahead = [&](bool from_front) __attribute__((always_inline)) {
     if (b - a <= std::size_t{2} * kAhead) return;
-    pool.ask_for(
+    pool.prefetch(
         buffer[from_front ? a + std::size_t{2} * kAhead : b - 1 - std::size_t{2} * kAhead]);
-    pool.ask_for_partner(buffer[from_front ? a + kAhead : b - 1 - kAhead]);
+    pool.prefetch_partner(buffer[from_front ? a + kAhead : b - 1 - kAhead]);
   };
   while (b - a > 1) {
     const bool from_front = low.height <= high.height;
-    ask_ahead(from_front);
+    prefetch_ahead(from_front);
     ChainLink& side = from_front ? low : high;
     const ChainLink& other = from_front ? high : low;
     const Place v = from_front ? buffer[a++] : buffer[--b];

@@ -21,7 +21,7 @@ class CoreLabeller {
       f_ = part.cubic ? part.begin : kNoPlace;
       const Place ends = part.cubic ? 1 : 0;
       for (Place v = part.begin + ends; v < part.end - ends; ++v) {
-        ask_ahead(v);
+        prefetch_ahead(v);
         label_at(v);
       }
       if (part.cubic) label_last(part.end - 1);
@@ -31,10 +31,10 @@ class CoreLabeller {
 
  private:
   /// The far ends of the edges that close cycles are nowhere near in memory.
-  void ask_ahead(Place v) const {
+  void prefetch_ahead(Place v) const {
     if (v + kAhead >= graph_.num_vertices()) return;
     for (const HalfEdge& half : graph_.incident(v + kAhead)) {
-      labels_.ask_for(half.edge);
+      labels_.prefetch(half.edge);
       __builtin_prefetch(&received_[half.to], 1);
     }
   }

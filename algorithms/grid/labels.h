@@ -42,7 +42,7 @@ class EdgeLabels {
     both_[e] = static_cast<std::uint8_t>((both_[e] & ~(3u << s)) | (label << s));
   }
   /// Asks for the memory of e's labels before they are needed.
-  void ask_for(EdgeId e) const { __builtin_prefetch(&both_[e], 1); }
+  void prefetch(EdgeId e) const { __builtin_prefetch(&both_[e], 1); }
 
  private:
   static unsigned shift(Vertex v, Vertex to) { return v < to ? 0 : 4; }

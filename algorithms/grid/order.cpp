@@ -36,7 +36,7 @@ class BreadthFirst {
     seen_[root] = 1;
     queue.push_back(root);
     while (head < queue.size()) {
-      ask_ahead(head);
+      prefetch_ahead(head);
       for (const HalfEdge& half : graph_.incident(queue[head++])) {
         if (seen_[half.to]) continue;
         seen_[half.to] = 1;
@@ -46,7 +46,7 @@ class BreadthFirst {
   }
 
   /// Asks ahead for what the search is going to read, which is known as far as the queue goes.
-  void ask_ahead(std::size_t head) const {
+  void prefetch_ahead(std::size_t head) const {
     constexpr std::size_t kAhead = 16;
     const std::vector<Vertex>& queue = order_.sequence;
     if (head + 2 * kAhead < queue.size()) {

@@ -53,7 +53,7 @@ bool Placement::place_vertices() {
   }
   const Place ends = part_.cubic ? 1 : 0;
   for (Place v = part_.begin + ends; v < part_.end - ends; ++v) {
-    ask_ahead(v);
+    prefetch_ahead(v);
     const Site site = look(v);
     const bool is_x_m = site.next_to_f && aside_.is_defect() && site.label_to_f == aside_.m;
     const bool placed = site.opens != 0 ? place_clash(site)
@@ -65,10 +65,10 @@ bool Placement::place_vertices() {
 }
 
 /// The far ends of the edges that close cycles are nowhere near in memory.
-void Placement::ask_ahead(Place v) const {
+void Placement::prefetch_ahead(Place v) const {
   if (v + kAhead >= part_.end) return;
   for (const HalfEdge& half : graph_.incident(v + kAhead)) {
-    planes_.labels.ask_for(half.edge);
+    planes_.labels.prefetch(half.edge);
     __builtin_prefetch(&planes_.of[half.to], 1);
   }
 }

@@ -9,7 +9,7 @@
 namespace ar3d::grid {
 namespace {
 
-/// Numbers and labels that nobody has chosen yet.
+/// Numbers and labels that are not chosen yet.
 Planes unset_planes(std::size_t vertices, EdgeId edges) {
   return {std::vector<PlaneNumbers>(vertices, kUnsetNumbers), EdgeLabels(edges), {}, {}, {}};
 }
@@ -38,7 +38,7 @@ void adopt_core(const ProcessingOrder& order, const PlacedGraph& graph, const Or
     if (i + kAhead < part.end) {
       __builtin_prefetch(&planes.of[order.sequence[i + kAhead]], 1);
       for (const HalfEdge& half : graph.incident(i + kAhead)) {
-        planes.labels.ask_for(graph.edge_of(half.edge));
+        planes.labels.prefetch(graph.edge_of(half.edge));
       }
     }
     planes.of[order.sequence[i]] = core.of[i];

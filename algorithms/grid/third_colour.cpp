@@ -38,7 +38,7 @@ class ThirdColour {
     for (std::size_t d = 0; d < defects_.size(); ++d) by_y_.emplace_back(defects_[d].y, d);
     std::ranges::sort(by_y_);
     for (Place v = part_.begin; v < part_.end; ++v) {
-      ask_ahead(v);
+      prefetch_ahead(v);
       if (x_[v][2] == kUnsetNumber && find_defect(v) == kNone) number(v);
     }
     for (std::size_t d = 0; d < defects_.size(); ++d) {
@@ -55,7 +55,7 @@ class ThirdColour {
   std::int64_t reach() const { return 10 * part_.size() + 36; }
 
   /// Memory that number() reads for the vertices that come next, on its way.
-  [[gnu::always_inline]] void ask_ahead(Place v) const {
+  [[gnu::always_inline]] void prefetch_ahead(Place v) const {
     const auto ask = [&](Place w) __attribute__((always_inline)) {
       for (const Place to : ports_[w].to) {
         if (to != kNoPlace) __builtin_prefetch(&x_[to]);

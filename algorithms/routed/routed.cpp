@@ -150,7 +150,7 @@ Options options_of(const Settings& values) {
   return {value("effort"), value("bends"), value("megabytes")};
 }
 
-/// A row of this folder; the guarantee is that of the fall-back, but for the bends of the largest
+/// A row of this folder; the guarantee is that of the fall-back, except for the bends of the largest
 /// option and the plane.
 Algorithm row_like(Algorithm fall_back, const char* name, const char* summary, const char* source,
                    Drawing (*draw)(const Graph&, const Options&)) {

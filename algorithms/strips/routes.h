@@ -30,7 +30,7 @@ inline std::vector<Counter> counters_of(const Census& census, bool in_zones, std
           {"rows", rows}};
 }
 
-/// Bends that follow from the places of the two ends and the edge's byte, computed when somebody
+/// Bends that follow from the places of the two ends and the edge's byte, computed when something
 /// reads them. `append` adds those of a word from its tail to its head.
 template <void append(unsigned word, const Point& tail, const Point& head, std::vector<Point>& out)>
 class CodedBends final : public BendSource {

@@ -50,7 +50,7 @@ QBody read_q_body(const LocalGraph& graph, const BlockTree& blocks, Vertex joint
 bool is_q_block(const Block& block);
 
 /// Replaces every Q that hangs on a bridge by its joint, now a vertex of degree 1: cuts the other
-/// four off (they keep their lists but nobody points to them) and makes the joint a block of its
+/// four off (they keep their lists but nothing points to them) and makes the joint a block of its
 /// own (Step 2.1).
 /// @return the cut bodies; the cut vertices are the other four of each.
 LongVector<QBody> cut_q_bodies(LocalGraph& graph, BlockTree& blocks);

@@ -80,7 +80,7 @@ Values number_list(const View& view, const LongVector<NodeId>& list, const Spaci
     const NodeId v = list[i];
     if (i + kAhead < list.size()) {
       view.ask_type_of(list[i + kAhead]);
-      ask_for(values, list[i + kAhead]);
+      prefetch(values, list[i + kAhead]);
     }
     const NodeType type = view.type(v);
     const Spacing::Widening widening = spacing[v];

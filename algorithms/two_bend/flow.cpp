@@ -48,7 +48,7 @@ class FlowBuilder {
     for (LongVector<NodeType>& types : flow_.types) types.reserve(count_);
     if (!flow_.joint) flow_.block.reserve(count_);
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
-      ask_for_node(i);
+      prefetch_node(i);
       if (pass_[i]) continue;
       if (!flow_.joint) flow_.block.push_back(blocks.id_of(order_[i]));
       finish_node(i);
@@ -74,19 +74,19 @@ class FlowBuilder {
   }
 
   /// Asks memory, in four steps, for what the places soon after i need.
-  [[gnu::always_inline]] void ask_for_node(std::uint32_t i) const {
+  [[gnu::always_inline]] void prefetch_node(std::uint32_t i) const {
     if (i + 4 * kAhead >= order_.size()) return;
     const Vertex far = order_[i + 4 * kAhead];
-    ask_for(graph_.neighbours, far);
-    ask_for(graph_.edges, far);
-    for (const Vertex u : graph_.neighbours[order_[i + 3 * kAhead]].to) ask_for(flow_.place, u);
+    prefetch(graph_.neighbours, far);
+    prefetch(graph_.edges, far);
+    for (const Vertex u : graph_.neighbours[order_[i + 3 * kAhead]].to) prefetch(flow_.place, u);
     if (!flow_.element.empty()) {
       for (const Vertex u : graph_.neighbours[order_[i + 2 * kAhead]].to) {
-        if (u != kNoVertex) ask_for(flow_.element, flow_.place[u]);
+        if (u != kNoVertex) prefetch(flow_.element, flow_.place[u]);
       }
     }
     for (const Vertex u : graph_.neighbours[order_[i + kAhead]].to) {
-      if (u != kNoVertex) ask_for(flow_.nodes, flow_.node_at(flow_.place[u]));
+      if (u != kNoVertex) prefetch(flow_.nodes, flow_.node_at(flow_.place[u]));
     }
   }
 
@@ -217,7 +217,7 @@ bool owns_row(const View& view, NodeId v) {
   return false;
 }
 
-/// Free: nobody refers to its row. Listed: somebody does, or its room must be reserved.
+/// Free: nothing refers to its row. Listed: something does, or its room must be reserved.
 std::uint8_t role_of_merge(const View& view, NodeId m) {
   const auto above = view.outs(m);
   const bool is_referred_to = std::any_of(above.begin(), above.end(), [&](NodeId w) {

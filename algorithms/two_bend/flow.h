@@ -128,7 +128,7 @@ class View {
   template <class T>
   [[gnu::always_inline]] void ask(NodeId i, const LongVector<T>& array) const {
     if (i >= size()) return;
-    for (const NodeId u : flow_->nodes[at(i)].neighbour) ask_for(array, u);
+    for (const NodeId u : flow_->nodes[at(i)].neighbour) prefetch(array, u);
   }
   NodeType type(NodeId v) const { return flow_->types[columns_ ? 1 : 0][v]; }
   std::span<const NodeId> ins(NodeId v) const {
@@ -146,7 +146,7 @@ class View {
   }
   [[gnu::always_inline]] void ask_types(NodeId i) const { ask(i, flow_->types[columns_ ? 1 : 0]); }
   [[gnu::always_inline]] void ask_type_of(NodeId v) const {
-    ask_for(flow_->types[columns_ ? 1 : 0], v);
+    prefetch(flow_->types[columns_ ? 1 : 0], v);
   }
   /// Has an even row of its own.
   bool is_owner(NodeId v) const { return has_role(v, kOwner); }

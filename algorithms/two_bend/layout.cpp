@@ -103,7 +103,7 @@ class LayoutSearch : private NumberedLists {
     choose_middles(relaxes_);
     LongVector<LongId> failed;
     for (std::size_t i = 0; i < vv_.size(); ++i) {
-      ask_for_vv_edge(i + kAhead);
+      prefetch_vv_edge(i + kAhead);
       if (!choose_lean(vv_[i])) failed.push_back(vv_[i]);
     }
     if (failed.empty()) return true;
@@ -112,13 +112,13 @@ class LayoutSearch : private NumberedLists {
   }
 
   /// Asks memory for what the values of a VV edge soon to be chosen depend on.
-  [[gnu::always_inline]] void ask_for_vv_edge(std::size_t i) const {
+  [[gnu::always_inline]] void prefetch_vv_edge(std::size_t i) const {
     if (i >= vv_.size()) return;
     const LongEdge& edge = flow_.edges[vv_[i]];
-    ask_for(layout_.columns, edge.lower);
-    ask_for(layout_.rows, edge.upper);
-    for (const NodeId u : views_[0].ins(edge.lower)) ask_for(layout_.rows, u);
-    for (const NodeId u : views_[1].ins(edge.upper)) ask_for(layout_.columns, u);
+    prefetch(layout_.columns, edge.lower);
+    prefetch(layout_.rows, edge.upper);
+    for (const NodeId u : views_[0].ins(edge.lower)) prefetch(layout_.rows, u);
+    for (const NodeId u : views_[1].ins(edge.upper)) prefetch(layout_.columns, u);
   }
 
   void widen(const View& view, NodeId merge, std::int64_t by) {

@@ -15,7 +15,7 @@ struct RowReach {
   std::int32_t low = 0;
   std::int32_t high = 0;
   std::uint8_t sharers = 0;  ///< SPLITs
-  std::uint8_t light = 0;    ///< SPLITs in the trees above the row's SPLITs but for the heaviest
+  std::uint8_t light = 0;    ///< SPLITs in the trees above the row's SPLITs except the heaviest
   std::uint8_t heaviest = 0;
   std::uint8_t tree = 0;  ///< SPLITs in the tree of a SPLIT above a SPLIT
 

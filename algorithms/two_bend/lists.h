@@ -31,7 +31,7 @@ class EntryList {
   LongVector<NodeId> in_order() const;
   bool contains(NodeId v) const { return links_[v].cluster != kNone; }
   /// Asks memory for an entry.
-  [[gnu::always_inline]] void ask_for_entry(NodeId v) const { ask_for(links_, v); }
+  [[gnu::always_inline]] void prefetch_entry(NodeId v) const { prefetch(links_, v); }
 
   bool before(NodeId u, NodeId v) const;
   void insert_after(NodeId place, NodeId v);

@@ -67,18 +67,18 @@ void ComponentReader::read(Vertex v, Vertex parent, LocalGraph& out) {
   for (std::size_t k = near.to.size(); k-- > 0;) {
     const Vertex u = near.to[k];
     if (u == kNoVertex || is_read_[u]) continue;
-    ask_for(near_, u);
+    prefetch(near_, u);
     turns_.push_back({u, name});
   }
 }
 
 /// Asks memory, in two steps, for what the i-th vertex's row needs.
-[[gnu::always_inline]] inline void ComponentReader::ask_for_row(const LongVector<Vertex>& name,
-                                                                std::size_t i) const {
+[[gnu::always_inline]] inline void ComponentReader::prefetch_row(const LongVector<Vertex>& name,
+                                                                 std::size_t i) const {
   constexpr std::size_t kFar = std::size_t{2} * kAhead;
   if (i + kFar >= name.size()) return;
   __builtin_prefetch(incident(name[i + kFar]).data());
-  for (const HalfEdge& half : incident(name[i + kAhead])) ask_for(local_, half.to);
+  for (const HalfEdge& half : incident(name[i + kAhead])) prefetch(local_, half.to);
 }
 
 /// Without a look at where lists begin if all are equally long: one wait for memory less.
@@ -93,7 +93,7 @@ void ComponentReader::copy_rows(LocalGraph& out) const {
   out.neighbours.reserve(out.name.size());
   out.edges.reserve(out.name.size());
   for (std::size_t i = 0; i < out.name.size(); ++i) {
-    ask_for_row(out.name, i);
+    prefetch_row(out.name, i);
     NeighbourList& near = out.neighbours.emplace_back();
     std::array<EdgeId, 3>& edges = out.edges.emplace_back();
     std::size_t k = 0;

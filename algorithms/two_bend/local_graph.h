@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kAhead = 16;
 /// Asks memory for an entry of an array; any index is allowed. It and all that only call it are
 /// always inlined: g++ 12 drops calls of functions that do nothing else.
 template <class T>
-[[gnu::always_inline]] inline void ask_for(const LongVector<T>& array, std::size_t i) {
+[[gnu::always_inline]] inline void prefetch(const LongVector<T>& array, std::size_t i) {
   __builtin_prefetch(array.data() + i);
 }
 
@@ -63,7 +63,7 @@ class ComponentReader {
   void search_from(Vertex root, LocalGraph& out);
   void read(Vertex v, Vertex parent, LocalGraph& out);
   void copy_rows(LocalGraph& out) const;
-  void ask_for_row(const LongVector<Vertex>& name, std::size_t i) const;
+  void prefetch_row(const LongVector<Vertex>& name, std::size_t i) const;
   std::span<const HalfEdge> incident(Vertex v) const;
 
   const Graph& graph_;

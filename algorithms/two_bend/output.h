@@ -96,14 +96,14 @@ class Output {
   LongBends& bends(EdgeId e) { return bends_->of_edge[e]; }
 
   /// Ask memory for what is soon to be set.
-  [[gnu::always_inline]] void ask_for_vertex(Vertex v) const {
+  [[gnu::always_inline]] void prefetch_vertex(Vertex v) const {
     if (vertices_) {
       vertices_->prefetch(v);
     } else {
       __builtin_prefetch(points_.data() + v, 1);
     }
   }
-  [[gnu::always_inline]] void ask_for_bends(EdgeId e) const {
+  [[gnu::always_inline]] void prefetch_bends(EdgeId e) const {
     __builtin_prefetch(bends_->of_edge.data() + e, 1);
   }
 

@@ -163,7 +163,7 @@ class Forest {
   void find_parent(NodeId v) {
     trees_[v].parent = parent_of(v);
     const NodeId to = attachment_[v] != kNone ? attachment_[v] : trees_[v].parent;
-    if (to != kNone) ask_for(trees_, to);
+    if (to != kNone) prefetch(trees_, to);
   }
 
   NodeId tree_above(NodeId v) const {

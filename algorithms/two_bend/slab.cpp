@@ -148,12 +148,12 @@ Slabs draw_slabs(const Flow& flow, const Layout& layout, Output& output) {
     const auto [lower, upper, first_edge] = flow.edges[e];
     if (e + kAhead < flow.edges.size()) {
       const NodeId ahead = flow.edges[e + kAhead].upper;
-      ask_for(layout.rows, ahead);
-      ask_for(layout.columns, ahead);
-      ask_for(slabs.of_node, ahead);
-      ask_for(flow.types[0], ahead);
-      ask_for(flow.types[1], ahead);
-      output.ask_for_bends(flow.edges[e + kAhead].first_edge);
+      prefetch(layout.rows, ahead);
+      prefetch(layout.columns, ahead);
+      prefetch(slabs.of_node, ahead);
+      prefetch(flow.types[0], ahead);
+      prefetch(flow.types[1], ahead);
+      output.prefetch_bends(flow.edges[e + kAhead].first_edge);
     }
     LongBends bends;
     columns.draw_end(bends, lower, upper);

@@ -32,13 +32,13 @@ class Writer {
     find_corner();
     output_.make_room(graph_.size(), top_);
     for (LongId e = 0; e < in_.flow.edges.size(); ++e) {
-      ask_for_edge(e);
+      prefetch_edge(e);
       write_edge(e);
     }
     for (std::uint32_t i = 0; i < z_.size(); ++i) {
       if (i + 2 * kAhead < z_.size()) {
-        ask_for(graph_.name, order_[i + 2 * kAhead]);
-        output_.ask_for_vertex(graph_.name[order_[i + kAhead]]);
+        prefetch(graph_.name, order_[i + 2 * kAhead]);
+        output_.prefetch_vertex(graph_.name[order_[i + kAhead]]);
       }
       output_.set_vertex(graph_.name[order_[i]], point_at(i));
     }
@@ -167,11 +167,11 @@ class Writer {
   }
 
   /// Asks memory for what edges soon to be written need.
-  [[gnu::always_inline]] void ask_for_edge(LongId e) const {
+  [[gnu::always_inline]] void prefetch_edge(LongId e) const {
     const auto& edges = in_.flow.edges;
     if (e + kAhead >= edges.size()) return;
-    ask_for(z_, place_of(edges[e + kAhead].upper));
-    output_.ask_for_bends(edges[e + kAhead].first_edge);
+    prefetch(z_, place_of(edges[e + kAhead].upper));
+    output_.prefetch_bends(edges[e + kAhead].first_edge);
   }
 
   void write_edge(LongId e) {

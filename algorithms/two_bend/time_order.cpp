@@ -50,7 +50,7 @@ void StOrder::visit(Vertex v, Vertex parent) {
     const Vertex u = near.to[k];
     if (blocks_.is_bridge(v, u)) continue;
     if (!seen_[u]) {
-      ask_for(graph_.neighbours, u);
+      prefetch(graph_.neighbours, u);
       turns_.push_back({u, number});
     } else if (number_[u] != parent) {
       low = std::min(low, number_[u]);
@@ -151,7 +151,7 @@ LongVector<Vertex> breadth_first(const LocalGraph& graph, Vertex start) {
   queue.push_back(start);
   seen[start] = true;
   for (std::size_t i = 0; i < queue.size(); ++i) {
-    if (i + kAhead < queue.size()) ask_for(graph.neighbours, queue[i + kAhead]);
+    if (i + kAhead < queue.size()) prefetch(graph.neighbours, queue[i + kAhead]);
     const NeighbourList& near = graph.neighbours[queue[i]];
     for (std::size_t k = 0; k < near.degree(); ++k) {
       if (!seen[near.to[k]]) {

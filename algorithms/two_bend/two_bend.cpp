@@ -2,7 +2,7 @@
 // paper's construction (contract triangles, seek chordless cycles), which has no grid and no volume
 // bound: slabs along an st-order keep all coordinates polynomial. The result of the ordinary rounds
 // is compared with a box and, where it breaks it, replaced by the layout whose box is proved. Cost:
-// O(n) but for greatest common divisors.
+// O(n) plus greatest common divisors.
 #include "ar3d/algorithms/two_bend/two_bend.h"
 
 #include "ar3d/algorithms/efforts.h"

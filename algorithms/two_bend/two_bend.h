@@ -28,7 +28,7 @@ inline constexpr std::array<AxisBound, 3> kOrdinaryBox{linear(40) + 80, linear(4
 /// @param graph  n vertices, m edges; may be disconnected.
 /// @return points of the lattice with squared length x^2 + y^2 + z^2/3; smallest x, y and z are 0.
 /// @throws InputError if graph.max_degree() > 3 or there is no such effort.
-/// Cost: O(n) but for greatest common divisors, O(n) memory. Differs from the paper: no cycles are
+/// Cost: O(n) plus greatest common divisors, O(n) memory. Differs from the paper: no cycles are
 /// sought and no triangles contracted; the graph is swept along an st-order (docs/theorem2.md says
 /// why).
 Drawing draw(const Graph& graph, const Options& options = {});

@@ -43,7 +43,7 @@ class ListBuilder {
     }
     for (NodeId i = 0; i < view_.size(); ++i) {
       const NodeId v = view_.at(i);
-      ask_ahead(i);
+      prefetch_ahead(i);
       if (view_.type(v) == NodeType::sink) {
         place_sink(poles_[view_.flow().pole_of(v)]);
       } else if (view_.is_listed_merge(v) && !postponed_[v]) {
@@ -55,13 +55,13 @@ class ListBuilder {
 
  private:
   /// Asks memory, in two steps, for the entries that the MERGEs soon after i are put between.
-  [[gnu::always_inline]] void ask_ahead(NodeId i) const {
+  [[gnu::always_inline]] void prefetch_ahead(NodeId i) const {
     view_.ask_rows(i + 2 * kAhead);
     if (i + kAhead >= view_.size()) return;
     const NodeId v = view_.at(i + kAhead);
     if (!view_.is_listed_merge(v)) return;
-    list_.ask_for_entry(v);
-    for (const NodeId u : view_.ins(v)) list_.ask_for_entry(view_.row_of(u));
+    list_.prefetch_entry(v);
+    for (const NodeId u : view_.ins(v)) list_.prefetch_entry(view_.row_of(u));
   }
 
   WaitingSink waiting_for(const Pole& pole) const {
@@ -229,7 +229,7 @@ EntryList::EntryList(std::size_t num_nodes, const LongVector<NodeId>& owners) : 
   NodeId last = kNone;
   std::uint32_t rank = 0;
   for (const NodeId v : owners) {
-    if (rank + kAhead < owners.size()) ask_for(links_, owners[rank + kAhead]);
+    if (rank + kAhead < owners.size()) prefetch(links_, owners[rank + kAhead]);
     expect(!contains(v), "an owner is listed once");
     links_[v] = {last, kNone, v, rank++};
     (last == kNone ? first_ : links_[last].next) = v;
@@ -256,7 +256,7 @@ LongVector<NodeId> EntryList::in_order() const {
       parts[k].push_back(at[k]);
       at[k] = links_[at[k]].next;
       if (at[k] == begins[k + 1]) at[k] = kNone;
-      ask_for(links_, at[k]);
+      prefetch(links_, at[k]);
       going = true;
     }
   }

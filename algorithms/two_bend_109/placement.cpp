@@ -1,5 +1,5 @@
 // Step E.4: all take the first points at which what is drawn with them does not meet itself and no
-// middle is flat. Then everything is compared; whoever meets anything older goes on to its next
+// middle is flat. Then everything is compared; an edge that meets an older one takes its next
 // point, and so on until nothing meets. Lemma E.5 counts how few points are closed, so at the scale
 // LayoutScale::always_enough() this ends, and a smaller square fails by an answer, never by a wrong
 // drawing. Cost: O(n) and owners_that_meet(), once in most drawings.

@@ -86,7 +86,7 @@ struct SlotArrangement {
   std::vector<std::uint8_t> port;   ///< of each bend: which stub of its vertex it ends
 };
 
-/// The slots are by component, too. Cost: O(n) but for the list's.
+/// The slots are by component, too. Cost: O(n) plus the list's.
 SlotArrangement arrange(const OrderedGraph& graph);
 
 }  // namespace ar3d::two_bend_109

@@ -1,6 +1,6 @@
 // Step F.4, the heart of the proof: the orders a and b without a solver. In a, swept downwards, a U
 // goes between its prongs, and a D to its stem. All vertices whose ways up pass one D lie together,
-// in an order that is known but for its direction, which is that of the D in b. In b the same
+// in an order that is known except for its direction, which is that of the D in b. In b the same
 // holds upside down. So each fork's direction is that of another one of the other kind, or known;
 // such a chain ends, or goes around between two edges that cut the graph and agrees with itself or not.
 // Cost: O(n log n), for the ancestors.
@@ -14,7 +14,7 @@
 namespace ar3d::two_bend_120 {
 namespace {
 
-/// One of the two orders but for directions. It is swept from its root, T for a and S for b. A
+/// One of the two orders without directions. It is swept from its root, T for a and S for b. A
 /// *splitter* (U for a, D for b) was swept after its two prongs, a *follower* after its stem.
 /// Each follower and the root owns a list: of itself, its item n + v, and of those v that it
 /// dominates directly, their items v: all ways from them to the root pass the owner.

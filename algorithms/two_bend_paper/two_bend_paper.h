@@ -23,7 +23,7 @@ inline constexpr int kRealTypes = 5;
 const char* to_string(RealType type);
 
 /// Draws a simple graph of maximum degree 3 as Section 3 of the paper constructs it, in real
-/// arithmetic: at most two bends per edge and, but for rounding, no crossing, 120 degrees between
+/// arithmetic: at most two bends per edge and, apart from rounding, no crossing, 120 degrees between
 /// the three edges at a vertex, and at least 120 degrees at bends and other vertices. Every free
 /// choice is made in double and does not depend on the type.
 /// @return n vertices and the bends of all m edges, each from its end u to its end v; exactly what

@@ -7,7 +7,7 @@ const kUsable = 0.1;  // degrees that a drawing may miss before one sees it
 const kMostSizes = 4;  // of the comparison of types
 const kLogDegrees = Math.log10(180 / Math.PI), kLog2 = Math.log10(2);
 
-/** "float" of 24 bits, … for two-bend-paper with its option type; another setting's name, whose bits (0) nobody knows. */
+/** "float" of 24 bits, … for two-bend-paper with its option type; another setting's name, whose bits (0) are unknown. */
 export const realType = ({algorithm, options}) => {
   const own = options.replace(/(^|;)level=.*$/, ""), known = /^type=([0-4])$/.exec(own);
   if (algorithm === "two-bend-paper" && known) return {type: kRealTypes[known[1]][0], bits: kRealTypes[known[1]][1]};

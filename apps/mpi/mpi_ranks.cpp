@@ -25,15 +25,15 @@ extern "C" const char* __asan_default_options() { return "detect_leaks=0"; }
 namespace ar3d {
 namespace {
 
-constexpr int kJobTag = 1;     // rank 0: what to make ready; nothing: go home
-constexpr int kReadyTag = 2;   // another rank: it is
-constexpr int kGoTag = 3;      // rank 0: all are
-constexpr int kDoneTag = 4;    // another rank: it has done it
-constexpr int kToldTag = 5;    // another rank: what came out, or why it failed
+constexpr int kJobTag = 1;     // rank 0: the job to prepare; empty: stop
+constexpr int kReadyTag = 2;   // another rank: it is prepared
+constexpr int kGoTag = 3;      // rank 0: all are prepared
+constexpr int kDoneTag = 4;    // another rank: the job is done
+constexpr int kToldTag = 5;    // another rank: the result, or why it failed
 constexpr int kResultTag = 6;  // another rank, after it: which of the two
 
 // The time between two looks for something that may come soon or late: the longer nothing has come,
-// the longer, so that looking takes next to nothing from whoever computes on this core.
+// the longer, so that looking takes next to nothing from what computes on this core.
 class Patience {
  public:
   void pause() const {

@@ -107,7 +107,8 @@ class atomic_ref {
   T load(memory_order) const { return *value_; }
   void store(T value, memory_order) const { *value_ = value; }
   void fetch_or(T by, memory_order) const { *value_ |= by; }
-  bool compare_exchange_weak(const T&, T value, memory_order) const {  // nobody else has changed it
+  bool compare_exchange_weak(const T&, T value,
+                             memory_order) const {  // one thread alone changes it
     *value_ = value;
     return true;
   }

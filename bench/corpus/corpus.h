@@ -46,7 +46,7 @@ struct CorpusFile {
   std::string path;
   std::string name;          ///< of its graph in rows; empty where the corpus is one file
   std::string group;         ///< in rows
-  std::string problem = {};  ///< it cannot be read for that reason; empty: nobody knows before
+  std::string problem = {};  ///< why it cannot be read; empty if no error is known yet
   std::string file = {};     ///< path within the collection; empty where the corpus is one file
   /// Holds the file as a study has read it before. Given: nothing is read, its graphs are these.
   std::optional<CollectedFile> held = {};
@@ -122,7 +122,7 @@ class Corpus {
   /// @throws InputError if no graph was taken from there.
   Graph graph(std::uint32_t place) const;
 
-  /// Returns a file descriptor that whoever uses the corpus leaves open.
+  /// Returns a file descriptor that users of the corpus leave open.
   int descriptor() const { return spool_.descriptor(); }
 
  private:

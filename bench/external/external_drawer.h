@@ -63,7 +63,7 @@ class ExternalProcess {
   /// before, answers more than it was asked for or a longer line. It is not to be asked again then.
   Answer ask(const std::string& request, double limit_s, std::size_t most_bytes);
 
-  /// Waits so long for output that nobody asked for. @throws ProgramFailure (crashed) if there is
+  /// Waits so long for output that was not asked for. @throws ProgramFailure (crashed) if there is
   /// some. `ask` looks, too, without waiting.
   void refuse_second_lines(double wait_s);
 

@@ -40,7 +40,7 @@ class StudyLog {
   const StudyPlan& plan_;
   const Descriptor folder_;
   std::vector<EnvironmentEntry> session_, at_end_;
-  std::optional<JournalWriter> journal_;  // until the end, so that nobody else takes the study up
+  std::optional<JournalWriter> journal_;  // until the end, so that no other run takes the study up
 };
 
 }  // namespace ar3d

@@ -91,7 +91,7 @@ class RowMemory {
 };
 
 /// Represents fixed work whose time tells how fast the machine is at the moment (kYardsticks).
-/// Whoever asks for them before every row spends at most 3 % of the time on them. Memory: 3 MB.
+/// Asking for them before every row takes at most 3 % of the time on them. Memory: 3 MB.
 /// Construct and use it in one thread.
 class Yardsticks {
  public:

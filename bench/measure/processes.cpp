@@ -114,7 +114,7 @@ bool read_all(int file, std::span<char> bytes, double limit_s) {
   return true;
 }
 
-// True if nobody is left who writes into a socket that has no bytes.
+// True if no process is left that writes into a socket that has no bytes.
 bool is_at_end(int file) {
   pollfd event{file, POLLIN, 0};
   char byte = 0;

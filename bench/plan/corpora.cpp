@@ -53,7 +53,7 @@ std::vector<CorpusFile> held_files(const StudyFiles& known, const GraphFileRecor
   return files;
 }
 
-/// Returns which file is not the one that the study began with; empty where nobody knows.
+/// Returns which file is not the one that the study began with; empty where it is unknown.
 std::string changed_file(const StudyFiles& known, const std::string& family, const Corpus& now) {
   std::set<std::pair<std::string, std::string>> there;
   for (const CollectedFile& file : now.files()) there.emplace(file.file, file.hash);

@@ -38,7 +38,7 @@ std::vector<std::string> graph_files_of(const Study& study);
 bool is_pattern(const std::string& file);
 [[noreturn]] void refuse_empty(const GraphsEntry& entry);
 /// Returns what matches, by name (no folders); the path itself where it exists under that very name,
-/// or is no pattern. Of a collection also everything in folders that match, but for files that a
+/// or is no pattern. Of a collection also everything in folders that match, except files that a
 /// study has beside its graphs. A study looks once: it always gets this first list.
 /// @throws InputError naming what cannot be read.
 const std::vector<std::string>& listed_files(const StudyFiles& files, const std::string& path,

@@ -95,7 +95,7 @@ class PlannedInstances {
   /// its number there, so that files that come move none; others are dealt out in turn. @pre
   /// part < n. Memory: 4 bytes a graph.
   PlannedInstances part_of(std::size_t part, std::size_t n) const;
-  /// Appends one instance, as it stands but for the numbers of its rows.
+  /// Appends one instance, as it stands except for the numbers of its rows.
   void push_back(PlannedInstance instance);
 
   auto begin() const { return iterator(0); }

@@ -46,7 +46,7 @@ class BatchRows {
     }
   }
 
-  /// Draws the next row that nobody has begun. False: there is none, or the study stops.
+  /// Draws the next row that is not begun. False: there is none, or the study stops.
   bool draw_next(int core, HardwareCounters& counters) {
     const std::size_t i = next_++;
     if (i >= rows_.size() || stop_()) return false;

@@ -90,11 +90,10 @@ Measured measured_here(const PlannedInstance& instance, const PlannedRun& run,
 
 std::string passed(RunStatus end, const Budget& budget, std::uint64_t n) {
   if (end == RunStatus::timeout) {
-    return fmt::format("twice its limit: budget.row_time_s gives {:.3g} s",
-                       (*budget.row_time_s)(n));
+    return fmt::format("twice budget.row_time_s ({:.3g} s)", (*budget.row_time_s)(n));
   }
   if (!budget.row_memory_bytes) return "this machine's memory";
-  return fmt::format("twice its limit: budget.row_memory_bytes gives {}",
+  return fmt::format("twice budget.row_memory_bytes ({})",
                      bytes_text((*budget.row_memory_bytes)(n)));
 }
 
@@ -122,15 +121,15 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
                                    [&] { measured = measured_here(instance, run, budget); });
   if (end == RunStatus::ok) return measured;
   if (end == RunStatus::crashed) return {};  // the row will say why
-  throw InputError(fmt::format("{} {}n={} with {} {} is impossible: planning it passed {}",
-                               like.choice.family->name,
-                               like.parameters.empty() ? "" : like.parameters + " ", n,
-                               run.choice.algorithm->name, run.options, passed(end, budget, n)));
+  throw InputError(
+      fmt::format("{} {}n={} with {} {} would exceed its budget: a trial took more than {}",
+                  like.choice.family->name, like.parameters.empty() ? "" : like.parameters + " ", n,
+                  run.choice.algorithm->name, run.options, passed(end, budget, n)));
 }
 
 CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std::uint64_t largest,
                      const Budget& budget) {
-  if (run.choice.algorithm->is_foreign) return {};  // what a program costs, nobody knows before
+  if (run.choice.algorithm->is_foreign) return {};  // what a program costs is not known before
   const std::uint64_t size = calibration_size(largest);
   const std::uint64_t smaller = std::max<std::uint64_t>(1, size / kSizeRatio);
   const Measured small = measured_at(instance, run, smaller, budget);

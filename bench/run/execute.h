@@ -125,7 +125,7 @@ void make_metrics(StudySession& session);
 /// certificate. Each worker has one of the last of the allowed cores to itself.
 void make_timing(StudySession& session);
 
-/// Makes the last phase of a study, strong and weak scaling. Whoever shares a batch draws its
+/// Makes the last phase of a study, strong and weak scaling. The workers that share a batch draw its
 /// warm-ups first, then all begin at the same time; rows are hashed once the clock has stopped. The
 /// ideal of a batch is the one on a single thread or rank of the same round: its time divided by
 /// how many share (strong) or its time (weak).

@@ -34,7 +34,7 @@ struct RowSink {
   /// Takes a new row and its place in the plan, one call at a time. What it throws ends the session
   /// and is thrown again there.
   std::function<void(std::size_t place, const RunRecord& row)> add;
-  /// Takes what is to be known of the session, for its environment; empty: nobody wants to know.
+  /// Records an entry of the session's environment; may be empty.
   std::function<void(const EnvironmentEntry&)> note = {};
   /// Gives true for a row that is not to be made; empty: there is none. Called by several threads
   /// at once, as `read` is.

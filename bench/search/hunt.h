@@ -11,7 +11,7 @@
 namespace ar3d {
 struct HuntOptions {
   /// Holds where searches start, in turn; not empty. A corpus gives its graphs one after the other,
-  /// but for those beyond the algorithm's maximum degree, and then again with permuted labels.
+  /// except those beyond the algorithm's maximum degree, and then again with permuted labels.
   std::vector<FamilyChoice> families;
   std::uint64_t n = 40;  ///< requested number of vertices
   std::uint64_t seed = 1;

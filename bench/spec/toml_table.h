@@ -15,7 +15,7 @@ namespace ar3d {
 /// @throws InputError "file:line: message" on a syntax error.
 toml::table parse_toml(const std::string& text, const std::string& file);
 
-/// Is what a text that options are short for is parsed as: it has lines that nobody saw, so that
+/// Is what a text that options are short for is parsed as: it has lines that the user never saw, so that
 /// messages name none.
 inline constexpr const char* kOptionsFile = "--graphs";
 

@@ -47,7 +47,7 @@ struct PageEntry {
 /// kMaxPageExtent.
 PageEntry page_entry(const std::string& title, const Drawing& drawing, const Guarantee* guarantee,
                      const PageVerdict& verdict);
-/// The same without the geometry, for who has its numbers some other way (geometry_numbers).
+/// The same without the geometry, where its numbers come some other way (geometry_numbers).
 PageEntry page_facts(const std::string& title, const Drawing& drawing, const EdgeRoles& roles,
                      const Guarantee* guarantee, const PageVerdict& verdict);
 /// A graph that could not be drawn: the page says why in its place.

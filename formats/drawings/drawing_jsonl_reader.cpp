@@ -305,7 +305,7 @@ class DrawingEvents {
   Drawing finish_drawing() {
     if (seen(Key::real_type) || seen(Key::unit_exponent)) return finish_real_drawing();
     refuse_missing({Key::algorithm, Key::gram, Key::gram_denominator, Key::vertices, Key::edges});
-    if (has_texts_) throw InputError("coordinates are integers, but for those in a real type");
+    if (has_texts_) throw InputError("coordinates are integers, except those in a real type");
     require_one_a_vertex(vertices_.size(), "vertices");
     lattice_.validate();
     Coordinates coordinates(vertices_.size(), largest_);

@@ -44,7 +44,7 @@ struct Projection {
 };
 
 /// @throws InputError "… holds at most …" naming the format if the drawing has more than 20,000
-/// segments: nobody could read the picture; or if the eye of a perspective would be in the drawing.
+/// segments: the picture could not be read; or if the eye of a perspective would be in the drawing.
 /// Cost: O(S^2) for S segments in the worst case; near-linear if few overlap from left to right.
 Projection project(const Drawing& drawing, const ExportOptions& view, std::string_view format);
 

@@ -106,7 +106,7 @@ bool is_several_numbers(const ListField& field, const char* between = " ") {
 
 /// Can this be a row of a list that is cut so?
 bool fits(const ListRow& row) {
-  const auto is_cut = [](const ListField& field) {  // "a," is not what somebody calls a vertex
+  const auto is_cut = [](const ListField& field) {  // "a," is no usual name of a vertex
     const std::string& text = field.text;
     return !field.is_quoted && !text.empty() && !text.starts_with('{') &&
            (is_separator(text.front()) || is_separator(text.back()));

@@ -96,7 +96,7 @@ struct RunRecord {
   // What follows from algorithm, options and n; see set_bounds(). No columns of /runs.
   std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
   std::array<double, 3> slack{kMissing, kMissing, kMissing};  ///< 1 - extent / theorem_bound
-  /// Holds the bound of somebody else, for comparison only; missing if there is none.
+  /// Holds a published bound, for comparison only; missing if there is none.
   std::array<double, 3> published_bound{kMissing, kMissing, kMissing};
 
   // Measured.

@@ -69,7 +69,7 @@ hid_t checked_driver() {
     made.cmp = compare_files;
     made.write = write_bytes;
     made.truncate = truncate_file;
-    made.lock = nullptr;  // the file is locked, or nobody else can know it
+    made.lock = nullptr;  // the file is locked, or no other process can know it
     made.unlock = nullptr;
     return made;
   }();

@@ -132,7 +132,7 @@ bool is_missing(const Column& column, const char* from) {
 }
 
 void write_text(std::string_view text, const Column& column, std::string& json) {
-  if (!all_printable(text)) throw InputError(column.name + " is no printable text");
+  if (!all_printable(text)) throw InputError(column.name + " is not printable text");
   json += '"';
   for (const char c : text) {
     if (c == '"' || c == '\\') json += '\\';

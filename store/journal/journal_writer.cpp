@@ -193,7 +193,7 @@ void JournalWriter::fail_because_of_another() const {
                   path_));
 }
 
-// The file is there as long as it is open, but nobody would find it any more.
+// The file is there as long as it is open, but it would not be found any more.
 void JournalWriter::put_back_if_deleted() {
   if (!deleted_) return;
   std::vector<char> bytes(end_);

@@ -28,7 +28,7 @@ class JournalFull : public InputError {
 /// A row is acknowledged when append() returns: one write(2) has put it into the file, and neither
 /// the death of the process nor of any other can take it away. A second later at most it is on the
 /// disk (fdatasync by a thread of the writer's own) and survives a loss of power. That thread also
-/// notices that somebody has deleted the journal; it is put back then, and takes no more rows.
+/// notices that the journal was deleted; it is put back then, and takes no more rows.
 class JournalWriter {
  public:
   /// Creates the journal, or continues it: cuts off a record that a crash cut short, then tells the
@@ -61,7 +61,7 @@ class JournalWriter {
   /// Returns bytes of an unfinished record that opening the journal cut off.
   std::uint64_t bytes_cut() const { return bytes_cut_; }
   /// Returns the file beside the journal that they are kept in; empty if they were the beginning of
-  /// one record, which a crash leaves behind and nobody has acknowledged.
+  /// one record, which a crash leaves behind, not acknowledged.
   const std::string& cut_file() const { return cut_file_; }
 
  private:

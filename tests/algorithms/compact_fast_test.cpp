@@ -136,8 +136,8 @@ TEST(CompactNarrowLines, AgreeWithAPlainList) {
       const bool is_free = !arrives && std::none_of(plain.begin(), plain.end(), [&](Piece other) {
         return other.overlaps(piece);
       });
-      lines.ask_for(line);
-      lines.ask_for_pieces(line);
+      lines.prefetch(line);
+      lines.prefetch_pieces(line);
       ASSERT_EQ(lines.is_free(piece), is_free);
       if (!is_free || plain.size() == 200) continue;
       lines.insert(piece);

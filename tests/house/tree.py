@@ -320,13 +320,30 @@ class TestNames(Rule):
 
 
 class Commits(Rule):
-    """What is said of a change stays readable where logs show it: subjects of at most 72 characters."""
+    """What is said of a change stays readable where logs show it: "folder: do this", of at most 72 characters."""
+    IMPERATIVES = ("pass", "address", "compress", "process", "focus", "need", "feed", "embed", "bring")
 
-    def test_have_short_subjects(self):
+    def subjects(self, *which):
         if not (pathlib.Path(SOURCE) / ".git").exists():
             self.skipTest("no git repository")
-        subjects = printed("git", "-C", SOURCE, "log", "-50", "--no-merges", "--format=%s").splitlines()
-        self.assertEqual([subject for subject in subjects if len(subject) > 72], [])
+        return printed("git", "-C", SOURCE, "log", *which, "--no-merges", "--format=%s").splitlines()
+
+    def is_named_and_imperative(self, subject):
+        topics, _, said = subject.partition(": ")
+        verb = said.partition(" ")[0].lower()
+        return all((pathlib.Path(SOURCE) / topic.partition("/")[0]).exists() for topic in topics.split(", ")) and bool(verb) and (
+            verb in self.IMPERATIVES or not re.search(r"(ed|ing|s)$", verb))
+
+    def test_have_short_subjects(self):
+        self.assertEqual([subject for subject in self.subjects("-50") if len(subject) > 72], [])
+
+    def test_name_a_folder_and_what_to_do(self):
+        for wrong in ("Fix the reader", "formats: fixed the reader", "formats: reads tabs", "reader: read tabs", "formats: "):
+            self.assertFalse(self.is_named_and_imperative(wrong), wrong)
+        for right in ("formats/graphs: read tabs", "docs, README.md: name the page", "store: compress rows"):
+            self.assertTrue(self.is_named_and_imperative(right), right)
+        new = self.subjects("--since=2026-11-28", "-50")  # the day from which on it is a rule
+        self.assertEqual([subject for subject in new if not self.is_named_and_imperative(subject)], [])
 
 
 NO_FUNCTION = re.compile(r"\s*(inline )?(namespace|class|struct|enum|union|return|switch|for|if|while|do|else|try)\b.*|.*= ?\{|"

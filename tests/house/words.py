@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Pages, --help, messages and comments of specifications have no sentence of more than 30 words, pages no line of prose of more than 120
-characters: words.py SOURCES AR3D. With --measure: words, sentences and mean of each page.
+characters; house words stay away from them and from sources: words.py SOURCES AR3D. With --measure: words, sentences and mean of each page.
 
 Code, tables and targets of links are left out, so are pages of proofs and numbered lemmas and steps; what is in backticks is one
 word. A colon before a capital letter or a number ends a sentence."""
@@ -11,6 +11,7 @@ import sys
 
 MOST_WORDS, MOST_CHARACTERS = 30, 120
 PROOFS = re.compile(r"(theorem.*|compact.*|two-bend-1(09|20)|routed|lower-bounds|open-questions)\.md")
+HOUSE_WORDS = re.compile(r"\b(whoever|nobody|somebody|but for|for who)\b", re.I)  # the pages of proofs may say "but for"
 NUMBERED = re.compile(r"\*\*(Lemma|Step|Theorem) |\*Proof")
 FOLDERS = ("algorithms", "analysis", "apps", "base", "bench", "formats", "generators", "model", "optimum", "python", "store", "verify")
 OTHER = re.compile(r"\||<|!\[|#|\$\$|\[[^]]*\]: ")  # tables, pictures, headings
@@ -53,6 +54,11 @@ def wide_lines(name, text):
             if len(line) > MOST_CHARACTERS and not OTHER.match(line.strip())]
 
 
+def house_words(name, text):
+    """Words of this house that the field does not use; they do not come back."""
+    return [f"{name}:{number}: '{found[0]}'" for number, line in enumerate(text.splitlines(), 1) if (found := HOUSE_WORDS.search(line))]
+
+
 def helps(program, verbs=()):
     """The help of a verb and of the verbs below it, each text of an option a paragraph."""
     text = subprocess.run([program, *verbs, "--help"], check=True, capture_output=True, text=True).stdout
@@ -74,7 +80,7 @@ root, program = pathlib.Path(sys.argv[1]), sys.argv[-1]
 folders = [folder for folder in root.glob("*/") if folder.name not in ("build", "results")]
 pages = [page for folder in (root, *folders) for page in sorted([*folder.glob("*.md"), *folder.glob("*/README.md")])
          if folder == page.parent or folder.name in ("docs", "examples") if not PROOFS.fullmatch(page.name) and "gallery" not in page.parts]
-texts = [(str(page.relative_to(root)), page.read_text()) for page in pages]
+texts = [(str(page.relative_to(root)), page.read_text()) for page in [*pages, root / "results/SCHEMA.md", root / "results/JOURNAL.md"]]
 if "--measure" in sys.argv:
     for name, text in texts:
         counts = [words(s) for _, paragraph in paragraphs(text) for s in sentences(paragraph)]
@@ -82,7 +88,14 @@ if "--measure" in sys.argv:
     raise SystemExit
 if not too_long("", "Word " * 31 + "end.") or too_long("", "Word " * 29 + "end."):
     raise SystemExit("a sentence of 32 words is not found, or one of 30 is")
-wrong = [line for name, text in texts for line in too_long(name, text) + wide_lines(name, text)]
+wrong = [line for name, text in texts for line in too_long(name, text)] + [
+    line for name, text in texts if not name.startswith("results") for line in wide_lines(name, text)]
+sources = [path for folder in (*FOLDERS, "tools") for path in sorted((root / folder).rglob("*"))
+           if path.suffix in (".h", ".cpp", ".js", ".py", ".cmake", ".txt", ".sh", ".toml") and "three" not in path.parts]
+if len(sources) < 500 or not house_words("", "but for one") or house_words("", "everybody"):
+    raise SystemExit("a house word is not found, or one that is none is")
+wrong += [line for path in sources for line in house_words(str(path.relative_to(root)), path.read_text())]
+wrong += [line for name, text in texts for line in house_words(name, text)]
 for specification in sorted([*root.glob("bench/**/*.toml"), *root.glob("examples/**/*.toml")]):
     comments = re.sub(r"^[^#\n].*$", "", specification.read_text(), flags=re.M)
     wrong += too_long(str(specification.relative_to(root)), re.sub(r"^#+ ?", "", comments, flags=re.M))

@@ -64,7 +64,7 @@ class PlaceIndex {
 /// (Steps V.9 and V.10). 16 bytes per segment and about 50 per column.
 class Columns {
  public:
-  /// O(k) for k segments, but for the sorting inside long columns.
+  /// O(k) for k segments, plus the sorting inside long columns.
   explicit Columns(const std::vector<VerticalSegment>& segments);
 
   /// Returns how often a segment ends where the next one of its column begins; nothing if two have

@@ -137,7 +137,7 @@ bool CountingProof::take_star(Share& share, std::uint32_t star) const {
 }
 
 /// Angles and neighbours at the vertices begin, ..., end - 1. A vertex without edges becomes a
-/// segment of length zero: it is counted as a meeting wherever it touches anything, and is nobody's
+/// segment of length zero: it is counted as a meeting wherever it touches anything, and is no
 /// neighbour.
 bool CountingProof::take_vertices(Share& share, Vertex begin, Vertex end) {
   for (Vertex v = begin; v < end; ++v) {

@@ -56,7 +56,7 @@ struct Metric {
   MetricValue (*value)(const DrawingSummary&) = nullptr;
 };
 
-/// All metrics, in the order of their columns. Whoever lists or stores metrics reads this table: a
+/// All metrics, in the order of their columns. What lists or stores metrics reads this table: a
 /// new metric is one row here, and nothing elsewhere.
 const std::vector<Metric>& metrics();
 /// Adds a row to the table, for programs that bring metrics of their own: before anything else uses

@@ -13,7 +13,7 @@
 namespace ar3d::diamond::fast {
 
 /// The fastest sizes for n vertices: within the caches, few lanes are enough, and their last
-/// stretches, which nobody accompanies, shall be short.
+/// stretches, which run in few lanes, should be short.
 inline WalkSizes walk_sizes(std::uint64_t n, std::uint32_t threads = 1) {
   constexpr std::uint64_t kInCaches = std::uint64_t{1} << 19;
   return n < kInCaches ? WalkSizes{.stride = 256, .lanes = 16, .threads = threads}

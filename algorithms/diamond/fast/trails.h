@@ -142,7 +142,7 @@ class Trails {
     ++lane.stretch.size;
     return {at, kept, port(lane.to, entry), record[entry]};
   }
-  /// The stretch, complete but for its ends.
+  /// The stretch, complete except for its ends.
   static TrailStretch& take(TrailLane& lane) {
     lane.stretch.kept = lane.kept.data();
     lane.stretch.num_kept = static_cast<std::uint32_t>(lane.kept.size());

@@ -251,7 +251,7 @@ function takeKey(event) {
   if (event.ctrlKey || event.metaKey || event.altKey || isControlsKey(event)) return;
   const action = kActions[event.key];
   if (!action || !view.drawing || (!view.drawing.n && !event.key.startsWith("Page"))) return;
-  if (event.key === "Escape" && !view.selected) return;  // whoever shows this page may close it
+  if (event.key === "Escape" && !view.selected) return;  // the page around may close it
   event.preventDefault();
   action(event);
 }
