@@ -117,6 +117,32 @@ void Drawing::polyline_between(EdgeId e, Point at_u, Point at_v, std::vector<Poi
   out.push_back(at_v);
 }
 
+Drawing drawing_from_points(const Graph& graph, std::span<const Point> vertices,
+                            const std::vector<std::vector<Point>>& bends) {
+  const auto require = [](std::size_t given, std::uint64_t wanted, const char* what) {
+    if (given == wanted) return;
+    throw InputError(fmt::format("{} {} are given, the graph has {}", given, what, wanted));
+  };
+  require(vertices.size(), graph.num_vertices(), "points for vertices");
+  if (!bends.empty()) require(bends.size(), graph.num_edges(), "lists of bends for edges");
+  const auto checked = [](Point p) {
+    for (const std::int64_t c : {p.x, p.y, p.z}) {
+      if (c >= -kMaxCoordinate && c <= kMaxCoordinate) continue;
+      throw InputError(
+          fmt::format("the coordinate {} does not fit, the limit is {}", c, kMaxCoordinate));
+    }
+    return p;
+  };
+  Coordinates points(vertices.size(), kMaxCoordinate);
+  for (std::size_t v = 0; v < vertices.size(); ++v) points.set(v, checked(vertices[v]));
+  auto stored = std::make_shared<StoredBends>();
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    stored->add_edge(bends.empty() ? std::vector<Point>() : bends[e]);
+  }
+  for (const auto& list : bends) std::for_each(list.begin(), list.end(), checked);
+  return {"own", kCubeLattice, std::move(points), graph.shared_edges(), std::move(stored)};
+}
+
 Box bounding_box(const Drawing& drawing) {
   GrowingBox box;
   for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -120,7 +121,7 @@ struct Box {
 /// stored in a study, as settings are.
 using Counter = Setting;
 
-/// A polyline drawing on integer points with a rational Gram matrix. Immutable but for its
+/// A polyline drawing on integer points with a rational Gram matrix. Immutable except for its
 /// annotations.
 class Drawing {
  public:
@@ -164,6 +165,14 @@ class Drawing {
   std::shared_ptr<const std::vector<Edge>> edges_;
   std::shared_ptr<const BendSource> bends_;
 };
+
+/// A drawing of one's own on the cube grid, to be certified: vertex v at vertices[v], edge e from its
+/// smaller end to its larger one over the points bends[e], or straight if `bends` is empty.
+/// O(n + m + bends) time.
+/// @throws InputError if there are more or fewer points than vertices or lists than edges, or a
+/// coordinate is beyond kMaxCoordinate.
+Drawing drawing_from_points(const Graph& graph, std::span<const Point> vertices,
+                            const std::vector<std::vector<Point>>& bends = {});
 
 /// Calls visit(e, points) for the polylines of the edges begin, ..., end - 1 in this order;
 /// `points` is a const std::vector<Point>&, valid during the call. Vertices have no order in
@@ -237,7 +246,7 @@ Box bounding_box(const Drawing& drawing);
 /// annotations. 32 hexadecimal digits, equal on all platforms. O(n + m) time, O(1) memory.
 std::string drawing_hash(const Drawing& drawing);
 
-/// drawing_hash() for who passes over the polylines anyway.
+/// drawing_hash() for code that passes over the polylines anyway.
 class DrawingHash {
  public:
   /// Takes the metric and the vertices of the drawing.

@@ -190,6 +190,17 @@ py::array_t<std::int64_t> list_of(const std::shared_ptr<PythonDrawing>& drawing,
   return view<std::int64_t>(shape, list.data(), drawing);
 }
 
+/// @param points  shape (k, 3).
+std::vector<Point> points_of(const py::array_t<std::int64_t>& points) {
+  if (points.ndim() != 2 || points.shape(1) != 3) {
+    throw InputError("points are integers, an array of shape (k, 3)");
+  }
+  const auto at = points.unchecked<2>();
+  std::vector<Point> list;
+  for (py::ssize_t i = 0; i < at.shape(0); ++i) list.push_back({at(i, 0), at(i, 1), at(i, 2)});
+  return list;
+}
+
 /// Lattice points as points of space, where angles are true.
 py::array_t<double> in_space(const PythonDrawing& drawing, const py::object& list) {
   const auto given = py::array::ensure(list);
@@ -197,18 +208,14 @@ py::array_t<double> in_space(const PythonDrawing& drawing, const py::object& lis
   if (kind != 'i' && kind != 'u' && !(given && given.size() == 0)) {
     throw InputError("points are integers, an array of shape (k, 3)");
   }
-  const auto points = py::array_t<std::int64_t>::ensure(given);
-  if (points.ndim() != 2 || points.shape(1) != 3) {
-    throw InputError("points are integers, an array of shape (k, 3)");
-  }
+  const std::vector<Point> points = points_of(py::array_t<std::int64_t>::ensure(given));
   const Embedding embed(drawing.drawing.lattice());
-  const auto at = points.unchecked<2>();
   std::vector<double> placed;
-  for (py::ssize_t i = 0; i < at.shape(0); ++i) {
-    const Real3 p = embed(Point{at(i, 0), at(i, 1), at(i, 2)});
+  for (const Point point : points) {
+    const Real3 p = embed(point);
     placed.insert(placed.end(), {p.x, p.y, p.z});
   }
-  return array_of(std::move(placed), {at.shape(0), 3});
+  return array_of(std::move(placed), {static_cast<py::ssize_t>(points.size()), 3});
 }
 
 std::string text_of(const Graph& graph) {
@@ -341,6 +348,34 @@ Certificate certify_drawing(const Graph& graph, const PythonDrawing& drawing,
   return certify(graph, drawing.drawing, find_algorithm(algorithm).guarantee);
 }
 
+/// @param cosine  numerator and denominator; 1/1 without `exactly`: every angle will do.
+Certificate certify_promise(const Graph& graph, const PythonDrawing& drawing,
+                            std::uint32_t max_bends, std::pair<std::int32_t, std::int32_t> cosine,
+                            bool exactly) {
+  const py::gil_scoped_release released;
+  Guarantee promise;
+  promise.max_bends = max_bends;
+  promise.angle_rule = exactly ? AngleRule::exactly : AngleRule::at_least;
+  promise.cosine = {cosine.first, cosine.second};
+  promise.lattice = drawing.drawing.lattice();
+  return certify(graph, drawing.drawing, promise, {.check_size = false});
+}
+
+/// @param offsets  of the bends of every edge, m + 1 numbers that do not fall, the last k.
+std::shared_ptr<PythonDrawing> drawing_of(const Graph& graph,
+                                          const py::array_t<std::int64_t>& vertices,
+                                          const py::array_t<std::int64_t>& bends,
+                                          const std::vector<std::size_t>& offsets) {
+  const std::vector<Point> all = points_of(bends);
+  std::vector<std::vector<Point>> of_edges;
+  for (std::size_t e = 0; e + 1 < offsets.size(); ++e) {
+    of_edges.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(offsets[e]),
+                          all.begin() + static_cast<std::ptrdiff_t>(offsets[e + 1]));
+  }
+  return with_points(drawing_from_points(graph, points_of(vertices), of_edges),
+                     graph.shared_edges());
+}
+
 Graph generate_graph(const std::string& family, std::uint64_t n, std::uint64_t seed,
                      const Values& parameters) {
   const py::gil_scoped_release released;
@@ -385,6 +420,10 @@ PYBIND11_MODULE(_core, module) {
   });
   module.def("certify", &certify_drawing, py::arg("graph"), py::arg("drawing"),
              py::arg("algorithm"));
+  module.def("certify_promise", &certify_promise, py::arg("graph"), py::arg("drawing"),
+             py::arg("max_bends"), py::arg("cosine"), py::arg("exactly"));
+  module.def("drawing", &drawing_of, py::arg("graph"), py::arg("vertices"), py::arg("bends"),
+             py::arg("offsets"));
   module.def("generate", &generate_graph, py::arg("family"), py::arg("n"), py::arg("seed"),
              py::arg("parameters"));
   module.def("algorithms", [] { return names_in(algorithms()); });

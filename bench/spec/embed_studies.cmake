@@ -1,6 +1,6 @@
 # Writes ar3d_named_studies.h: every bench/studies/*.toml as a row of the catalogue of named studies, its text byte for byte.
 # Included by bench/CMakeLists.txt; a changed or new file configures again.
-file(GLOB study_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/bench/studies/*.toml)
+file(GLOB study_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/studies/*.toml)
 set(study_rows "")
 foreach(study_file IN LISTS study_files)
   get_filename_component(study_name ${study_file} NAME_WE)

@@ -24,8 +24,8 @@ os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # before _core loads libgom
 from ._core import Certificate, Drawing, Graph, __version__, algorithms, families
 from . import _core
 
-__all__ = ["Certificate", "Drawing", "Graph", "algorithms", "as_graph", "certify", "draw", "families", "generate",
-           "load", "plot", "polylines", "read_results", "run_study"]
+__all__ = ["Certificate", "Drawing", "Graph", "algorithms", "as_graph", "certify", "draw", "drawing_of", "families", "generate",
+           "layout", "load", "plot", "polylines", "read_results", "run_study"]
 
 
 def __dir__() -> list[str]:
@@ -193,15 +193,107 @@ def _html_of(drawing: Drawing) -> str:
 Drawing._repr_html_ = _html_of
 
 
-def certify(graph: GraphLike, drawing: Drawing, algorithm: str | None = None) -> Certificate:
-    """Proves in exact integers that the drawing is one of the graph and keeps the algorithm's guarantee, or says why not.
+_COSINES = {None: (1, 1), 90: (0, 1), 109.47: (-1, 3), 120: (-1, 2)}
 
-    algorithm: whose guarantee; left out, the one that drew it. The certificate is true where it is valid, and lists
-    all `violations` where it is not.
+
+def certify(graph: GraphLike, drawing: Any, bends: Any = None, algorithm: str | None = None, *, max_degree: int | None = None,
+            max_bends: int | None = None, angle: float | None = None, exactly: bool = False) -> Certificate:
+    """Proves in exact integers that a drawing is one of the graph and keeps what is promised, or says why not.
+
+    drawing: an ar3d.Drawing, or points of one's own: as drawing_of() takes them, with its `bends`.
+    algorithm: whose guarantee; left out, the one that drew it. The points of one's own are held to these instead, and so is a
+        Drawing with one of them: no edge crosses or touches another, no edge has more than `max_bends` bends, and all angles,
+        at vertices and bends, are at least `angle` degrees, or that angle if `exactly`.
+    angle: 120, 109.47 (which stands for arccos(-1/3)), 90, or None: every angle will do.
+    The certificate is true where it is valid, and lists all `violations` where it is not. Raises ValueError for a vertex of a
+    degree above `max_degree`.
     """
-    if not isinstance(drawing, Drawing):
-        raise ValueError(f"drawing is an ar3d.Drawing, not {drawing!r}")
-    return _core.certify(as_graph(graph), drawing, _name(algorithm or drawing.algorithm, "algorithm"))
+    if isinstance(bends, str):
+        bends, algorithm = None, bends
+    given = as_graph(graph)
+    if max_degree is not None and given.max_degree > _integer(max_degree, "max_degree"):
+        raise ValueError(f"the graph has a vertex of degree {given.max_degree}, max_degree is {max_degree}")
+    is_own = not isinstance(drawing, Drawing)
+    if is_own:
+        drawing = drawing_of(graph, drawing, bends)
+    elif bends is not None:
+        raise ValueError("bends are of points of one's own; this drawing has its bends")
+    if algorithm is None and (is_own or angle is not None or max_bends is not None):
+        if angle not in _COSINES:
+            raise ValueError(f"angle is 120, 109.47, 90 or None, not {angle!r}")
+        if exactly and angle is None:
+            raise ValueError("exactly is of an angle")
+        most = 2**32 - 1 if max_bends is None else _integer(max_bends, "max_bends")
+        if not 0 <= most < 2**32:
+            raise ValueError(f"max_bends = {most} is not from 0 to 2^32 - 1")
+        return _core.certify_promise(given, drawing, most, _COSINES[angle], bool(exactly))
+    if angle is not None or max_bends is not None or exactly:
+        raise ValueError("an algorithm has its own angle and max_bends")
+    return _core.certify(given, drawing, _name(algorithm or drawing.algorithm, "algorithm"))
+
+
+def drawing_of(graph: GraphLike, positions: Any, bends: Any = None) -> Drawing:
+    """A drawing of one's own, from integer points.
+
+    positions: an array of shape (n, 3), or (n, 2) in the plane z = 0; or a dict of nodes and their points, such as a layout of
+        networkx; or a layout of igraph. The numbers are whole: scale and round others first, as in numpy.rint(1000 * points).
+    bends: a list of the points of every edge, in the order of as_graph(graph).edges, from its smaller end; or a dict of pairs
+        of nodes and the points from the first to the second. Edges that a dict does not name, and all if left out, are straight.
+    Raises ValueError for nodes without a point, points that are not whole numbers, and edges that there are not.
+    """
+    given = as_graph(graph)
+    nodes = list(graph.nodes) if hasattr(graph, "adj") and hasattr(graph, "nodes") else list(range(given.num_vertices))
+    index = {node: i for i, node in enumerate(nodes)}
+    if isinstance(positions, dict):
+        missing = [node for node in nodes if node not in positions]
+        if missing or len(positions) > len(nodes):
+            raise ValueError(f"positions are of {len(positions)} nodes, the graph has {len(nodes)}"
+                             + (f"; {missing[0]!r} has none" if missing else ""))
+        positions = [positions[node] for node in nodes]
+    of_edges = [[]] * given.num_edges if bends is None else bends
+    if isinstance(bends, dict):
+        number = {(int(u), int(v)): e for e, (u, v) in enumerate(given.edges)}
+        of_edges = [[]] * given.num_edges
+        for pair, points in bends.items():
+            ends = [index.get(node, -1) for node in pair] if isinstance(pair, tuple) else []
+            u, v = ends if len(ends) == 2 else (-1, -1)
+            if (min(u, v), max(u, v)) not in number:
+                raise ValueError(f"bends are of {pair!r}, which is no edge of the graph")
+            of_edges[number[min(u, v), max(u, v)]] = points if u < v else list(points)[::-1]
+    if len(of_edges) != given.num_edges:
+        raise ValueError(f"bends are of {len(of_edges)} edges, the graph has {given.num_edges}")
+    lists = [_points(points, "bends") for points in of_edges]
+    offsets = numpy.cumsum([0, *map(len, lists)]).tolist()
+    joined = numpy.concatenate(lists) if lists else numpy.zeros((0, 3), dtype=numpy.int64)
+    return _core.drawing(given, _points(positions, "positions"), joined, offsets)
+
+
+def _points(given: Any, name: str) -> numpy.ndarray:
+    """Whole numbers of shape (k, 3); from (k, 2) in the plane z = 0."""
+    points = numpy.asarray(getattr(given, "coords", given))
+    if points.size == 0:
+        return numpy.zeros((0, 3), dtype=numpy.int64)
+    if points.ndim != 2 or points.shape[1] not in (2, 3) or points.dtype.kind not in "iuf":
+        raise ValueError(f"{name} are points of 2 or 3 numbers each")
+    whole = numpy.zeros((len(points), 3), dtype=numpy.int64)
+    bad = ~(numpy.abs(points.astype(float)) < 2.0**62) | (points != numpy.rint(points))
+    if bad.any():
+        raise ValueError(f"{name} are whole numbers below 2^62, not {points[bad][0]}: scale and round them, as in numpy.rint(1000 * points)")
+    whole[:, :points.shape[1]] = points
+    return whole
+
+
+def layout(graph: Any, drawing: Drawing) -> Any:
+    """Where a drawing's vertices are in space, as the library of the graph takes it: a dict of nodes and points (`pos` of networkx)
+    or an igraph.Layout; of other graphs an array of shape (n, 3). Bends are not part of it."""
+    points = drawing.in_space(drawing.vertices)
+    if hasattr(graph, "adj") and hasattr(graph, "nodes"):
+        return dict(zip(graph.nodes, points))
+    if hasattr(graph, "get_edgelist") and hasattr(graph, "vcount"):
+        import igraph
+
+        return igraph.Layout(points.tolist(), dim=3)
+    return points
 
 
 def generate(family: str, n: int, seed: int = 0, **parameters: int) -> Graph:

@@ -91,7 +91,7 @@ class Installed(Page):
                          "verify\nresume\ndiamond\n--tilt\ngraphml\ncycle\nsmoke\nslabs\nnamed-graphs\n", shell)
 
     def test_programs_of_the_library_page_compile_and_run(self):
-        commands = ""
+        commands = "export PKG_CONFIG_PATH=$(dirname $(find $PWD/prefix -name ar3d.pc))\n"
         for language, text in blocks("docs/library.md"):
             if language == "sh":
                 commands += text
@@ -100,6 +100,8 @@ class Installed(Page):
         said = self.run_in_folder(f"cmake --install {BUILD} --prefix prefix >/dev/null\n"
                                   "cmake -S . -B build -DCMAKE_PREFIX_PATH=$PWD/prefix >/dev/null && cmake --build build >/dev/null\n" + commands)
         self.expect(said, "small.s6:3: certified, box ", "the angle at 0 is exactly 120 degrees", "4 components\n12 edges drawn")
+        self.assertRegex(said, "certified\n.*0-1.*\n")
+        self.assertEqual(self.run_in_folder("./own_points").splitlines()[0], "certified")  # made with pkg-config
         self.expect_made("drawing.svg")
         self.expect((self.folder / "prefix/share/man/man1/ar3d.1").read_text(), "AR3D DRAW", "AR3D VIEW", "ar3d study run", "exact lattice coord")
         self.expect_completion("bash", "source prefix/share/bash-completion/completions/ar3d\nsay() { COMP_WORDS=(\"$@\"); "
@@ -117,6 +119,19 @@ class Installed(Page):
                     "\nhelp\t\t\tlist generate draw ", "\nverify\t--crossing-test\t", "\tautomatic all-pairs slabs\n",
                     "\nreport\t--reference\tresults file of")
         self.run_in_folder(f"{SOURCE}/tools/completion {AR3D} csh", exit_code=2)
+
+
+class Included(Page):
+    def test_sources_are_included_without_the_program_and_its_packages(self):
+        """FetchContent, and so add_subdirectory: in a folder without HDF5, CLI11, toml++ and what `formats` reads."""
+        for _, text in blocks("docs/library.md"):
+            if name := re.match(r"(?://|#) (own_points\.cpp|fetched\.txt)", text):
+                (self.folder / name[1].replace("fetched", "CMakeLists")).write_text(text)
+        hidden = " ".join(f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("CLI11", "pugixml", "LibLZMA"))
+        said = self.run_in_folder(f"cmake -S . -B build -DFETCHCONTENT_SOURCE_DIR_AR3D={SOURCE} {hidden}\n"
+                                  "cmake --build build -j 2 >/dev/null && build/own_points")
+        self.expect(said, "ar3d::formats needs nlohmann-json, zlib, liblzma and pugixml: it is not there", "\ncertified\n")
+        self.assertNotIn("hdf5", said.lower())
 
 
 def committed(file, options):

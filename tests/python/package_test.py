@@ -17,6 +17,69 @@ import scipy.sparse
 import ar3d
 
 
+class OwnPoints(unittest.TestCase):
+    SQUARE = [(0, 0, 0), (5, 0, 0), (5, 5, 0), (0, 5, 0)]
+
+    def verdict(self, *drawing, graph=networkx.cycle_graph(4), **promise):
+        """"valid", the kinds of violations, or the text of the ValueError."""
+        try:
+            certificate = ar3d.certify(graph, *drawing, **promise)
+        except ValueError as error:
+            return str(error)
+        return "valid" if certificate else sorted({text.partition(":")[0] for text in certificate.violations})
+
+    def test_are_held_to_what_is_promised(self):
+        crossed = [self.SQUARE[i] for i in (0, 2, 1, 3)]
+        detour = {(1, 0): [(3, 0, 1), (1, 0, 1)]}
+        self.assertEqual(self.verdict(self.SQUARE), "valid")
+        self.assertEqual(self.verdict(self.SQUARE, angle=90, exactly=True), "valid")
+        self.assertEqual(self.verdict([point[:2] for point in self.SQUARE], angle=90), "valid")
+        self.assertEqual(self.verdict(self.SQUARE, angle=109.47), ["vertex_angle"])
+        self.assertEqual(self.verdict(crossed), ["crossing"])
+        self.assertEqual(self.verdict([(0, 0, 0)] * 4), ["degenerate_segment", "same_point"])
+        self.assertEqual(self.verdict(self.SQUARE, detour, max_bends=2), "valid")
+        self.assertEqual(self.verdict(self.SQUARE, detour, max_bends=1), ["bends"])
+        self.assertEqual(self.verdict(self.SQUARE, [[], [], [], []]), "valid")
+        named = networkx.relabel_nodes(networkx.cycle_graph(4), "v{}".format)
+        self.assertEqual(self.verdict({f"v{i}": p for i, p in enumerate(self.SQUARE)}, graph=named), "valid")
+        drawn = ar3d.draw(networkx.petersen_graph())
+        self.assertEqual(self.verdict(drawn, graph=networkx.petersen_graph(), angle=120, max_bends=3, exactly=True), "valid")
+
+    def test_of_a_layout_get_their_verdict(self):
+        petersen = networkx.petersen_graph()
+        layout = networkx.spring_layout(petersen, dim=3, seed=1)
+        rounded = {node: numpy.rint(1000 * point) for node, point in layout.items()}
+        self.assertIn("positions are whole numbers below 2^62, not 0.0", self.verdict(layout, graph=petersen))
+        self.assertEqual(self.verdict(rounded, graph=petersen), "valid")
+        self.assertEqual(self.verdict(rounded, graph=petersen, angle=120), ["vertex_angle"])
+
+    def test_that_make_no_drawing_are_refused(self):
+        square = self.SQUARE
+        for said, drawing, promise in (
+                ("3 points for vertices are given, the graph has 4", [square[:3]], {}),
+                ("positions are of 3 nodes, the graph has 4; 0 has none", [{1: square[1], 2: square[2], 3: square[3]}], {}),
+                ("whole numbers below 2^62, not 4611686018427387904", [[*square[:3], (0, 2**62, 0)]], {}),
+                ("whole numbers below 2^62, not nan", [[[float("nan")] * 3] * 4], {}),
+                ("positions are points of 2 or 3 numbers each", [[1, 2, 3, 4]], {}),
+                ("bends are of (2, 0), which is no edge", [square, {(2, 0): [(1, 1, 1)]}], {}),
+                ("bends are of 3, which is no edge", [square, {3: [(1, 1, 1)]}], {}),
+                ("bends are of 3 edges, the graph has 4", [square, [[]] * 3], {}),
+                ("angle is 120, 109.47, 90 or None, not 100", [square], {"angle": 100}),
+                ("the graph has a vertex of degree 2, max_degree is 1", [square], {"max_degree": 1}),
+                ("max_bends = -1 is not from 0", [square], {"max_bends": -1}),
+                ("bends are of points of one's own", [ar3d.draw(networkx.cycle_graph(4)), [[]] * 4], {}),
+                ("an algorithm has its own angle", [square], {"algorithm": "grid", "angle": 90})):
+            self.assertIn(said, self.verdict(*drawing, **promise))
+
+    def test_a_drawing_is_a_layout(self):
+        graph = networkx.relabel_nodes(networkx.petersen_graph(), "v{}".format)
+        drawing = ar3d.draw(graph)
+        layout = ar3d.layout(graph, drawing)
+        self.assertEqual(list(layout), list(graph.nodes))
+        self.assertTrue((layout["v3"] == drawing.in_space(drawing.vertices)[3]).all())
+        self.assertEqual(ar3d.layout(ar3d.as_graph(graph), drawing).shape, (10, 3))
+
+
 class Draw(unittest.TestCase):
     def test_every_kind_of_graph_gives_the_same_proved_drawing(self):
         petersen = networkx.petersen_graph()
@@ -281,14 +344,14 @@ class Page(unittest.TestCase):
     def test_docs_python_md_runs_as_printed(self):
         page = pathlib.Path(__file__).resolve().parents[2] / "docs" / "python.md"
         blocks = re.findall(r"^```python\n(.*?)^```", page.read_text(), re.S | re.M)
-        self.assertEqual(len(blocks), 1)
+        self.assertEqual(len(blocks), 2)
         with tempfile.TemporaryDirectory() as folder:
             spec = folder + "/quick.toml"
             pathlib.Path(spec).write_text("study = 'quick'\n[[sweep]]\nfamilies = 'cycle'\nsizes = 8\nalgorithms = 'grid'\n")
             subprocess.run([pathlib.Path(sys.argv[1]).resolve(), "study", "run", spec, "--quiet"], check=True,
                            capture_output=True, cwd=folder)
-            subprocess.run([sys.executable, "-c", blocks[0]], check=True, cwd=folder,
-                           env={**os.environ, "MPLBACKEND": "Agg"})
+            for block in blocks:
+                subprocess.run([sys.executable, "-c", block], check=True, cwd=folder, env={**os.environ, "MPLBACKEND": "Agg"})
 
 
     def test_its_shell_commands_build_and_install_the_package(self):

@@ -1,6 +1,6 @@
 # Headers are included as "ar3d/<folder>/<header>.h", in the tree (by the committed link include/ar3d to its top, which
 # editors and other tools find, too) as after installation, where nothing else may be called "model/graph.h".
-set(AR3D_INCLUDE_ROOT ${CMAKE_SOURCE_DIR}/include)
+set(AR3D_INCLUDE_ROOT ${PROJECT_SOURCE_DIR}/include)
 
 # Flags of every target of ours, not of the consumers of the installed package.
 add_library(ar3d_flags INTERFACE)
@@ -23,7 +23,7 @@ endif()
 # ar3d_together(<target> <most> <sources...>): the sources of one folder are compiled together, up to <most> at a time, since most
 # of a compiler's time goes into the same headers and templates again and again. So names in anonymous namespaces are unique
 # within a folder and its namespace. A source with options of its own, or in AR3D_ALONE, is compiled alone.
-set(AR3D_ALONE apps/one_rank.cpp  # linked only where nobody else defines join_ranks()
+set(AR3D_ALONE apps/one_rank.cpp  # linked only where nothing else defines join_ranks()
     verify/predicates/widths.cpp verify/crossings/crossings.cpp)
 option(AR3D_TOGETHER "Compile the sources of a folder together" ON)
 function(ar3d_together target most)
@@ -44,7 +44,7 @@ function(ar3d_together target most)
       math(EXPR group "${group} + 1")
     endif()
     math(EXPR count "${count} + 1")
-    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${CMAKE_SOURCE_DIR} OUTPUT_VARIABLE name)
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE name)
     if(name IN_LIST AR3D_ALONE)
       set_property(SOURCE ${source} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
     else()

@@ -1,24 +1,32 @@
-# Debian 12 packages only, found with find_package (see tools/setup.sh for their names).
+# Debian 12 packages only, found with find_package (see tools/setup.sh for their names). A project that includes this one links
+# the libraries in folders of its own, so it has to see what they link.
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 find_package(Threads REQUIRED)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 # Programs hold libgomp: the shared one would read OMP_WAIT_POLICY before base/parallel.cpp sets it.
 execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libgomp.a OUTPUT_VARIABLE gomp OUTPUT_STRIP_TRAILING_WHITESPACE)
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND EXISTS "${gomp}")
+if(PROJECT_IS_TOP_LEVEL AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND EXISTS "${gomp}")
   set_property(TARGET OpenMP::OpenMP_CXX PROPERTY INTERFACE_LINK_LIBRARIES
                $<IF:$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>,${gomp},${OpenMP_gomp_LIBRARY}>)
 endif()
 find_package(Boost 1.74 REQUIRED)
 find_package(fmt REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(ZLIB REQUIRED)
-find_package(LibLZMA REQUIRED)
-find_package(pugixml REQUIRED)
-find_package(CLI11 REQUIRED)
 find_package(PkgConfig REQUIRED)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET GLOBAL libxxhash)
+find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+# What the library `formats` reads; without the program it may be missing.
+if(AR3D_PROGRAM)
+  set(required REQUIRED)
+endif()
+foreach(package IN ITEMS nlohmann_json ZLIB LibLZMA pugixml)
+  find_package(${package} ${required})
+endforeach()
+if(NOT AR3D_PROGRAM)
+  return()
+endif()
+find_package(CLI11 REQUIRED)
 pkg_search_module(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial hdf5)  # FindHDF5 asks for a C compiler
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
-pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
-find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 # Optional: `ar3d optimum` then decides its formulas itself.
 find_path(CADICAL_INCLUDE_DIR cadical.hpp)
 find_library(CADICAL_LIBRARY cadical)

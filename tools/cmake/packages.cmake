@@ -3,7 +3,7 @@ set(AR3D_MAINTAINER "The ar3d authors <ar3d@example.org>" CACHE STRING "Whom the
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT ${AR3D_MAINTAINER})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -22,13 +22,13 @@ function(ar3d_package component name section depends summary description)
     set(CPACK_DEBIAN_${upper}_PACKAGE_${field} "${${value}}" PARENT_SCOPE)
   endforeach()
   set(CPACK_DEBIAN_${upper}_DESCRIPTION "${summary}\n${description}" PARENT_SCOPE)
-  set(changelog ${CMAKE_BINARY_DIR}/changelog-${name})
+  set(changelog ${PROJECT_BINARY_DIR}/changelog-${name})
   file(WRITE ${changelog} "${name} (${PROJECT_VERSION}) unstable; urgency=medium\n\n  * See CHANGELOG.md of the sources.\n\n"
        " -- ${AR3D_MAINTAINER}  ${date}\n")
   execute_process(COMMAND gzip -9nf ${changelog} COMMAND_ERROR_IS_FATAL ANY)
   set(folder ${CMAKE_INSTALL_DATADIR}/doc/${name})
   install(FILES ${changelog}.gz RENAME changelog.gz DESTINATION ${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
-  install(FILES ${CMAKE_SOURCE_DIR}/LICENSE RENAME copyright DESTINATION ${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright DESTINATION ${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
 endfunction()
 
 ar3d_package(program ar3d science "" "proved 3D drawings of low-degree graphs with optimal angles"
@@ -43,9 +43,9 @@ ar3d_package(dev libar3d-dev libdevel
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "git, nauty, python3-matplotlib")  # python3-matplotlib: ar3d figures
 if(AR3D_MPI)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
-  file(WRITE ${CMAKE_BINARY_DIR}/ar3d-mpi.1 ".so man1/ar3d.1\n")
-  execute_process(COMMAND gzip -9nf ${CMAKE_BINARY_DIR}/ar3d-mpi.1 COMMAND_ERROR_IS_FATAL ANY)
-  install(FILES ${CMAKE_BINARY_DIR}/ar3d-mpi.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT mpi EXCLUDE_FROM_ALL)
+  file(WRITE ${PROJECT_BINARY_DIR}/ar3d-mpi.1 ".so man1/ar3d.1\n")
+  execute_process(COMMAND gzip -9nf ${PROJECT_BINARY_DIR}/ar3d-mpi.1 COMMAND_ERROR_IS_FATAL ANY)
+  install(FILES ${PROJECT_BINARY_DIR}/ar3d-mpi.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT mpi EXCLUDE_FROM_ALL)
   ar3d_package(mpi ar3d-mpi science "ar3d (= ${PROJECT_VERSION}), openmpi-bin" "proved 3D drawings of low-degree graphs (for mpirun)"
     "The program ar3d for studies on many ranks: mpirun ar3d-mpi study run STUDY.")
 endif()
@@ -56,7 +56,7 @@ if(AR3D_PYTHON)
     "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${after}), python3-numpy" "proved 3D drawings of low-degree graphs (Python)"
     "Draws and proves graphs of networkx, numpy and scipy; reads results of studies\ninto pandas.")
   # Python's byte code comes and goes with the package.
-  set(control ${CMAKE_BINARY_DIR}/python-control)
+  set(control ${PROJECT_BINARY_DIR}/python-control)
   file(WRITE ${control}/postinst "#!/bin/sh\nset -e\n[ \"$1\" != configure ] || py3compile -p python3-ar3d\n")
   file(WRITE ${control}/prerm "#!/bin/sh\nset -e\npy3clean -p python3-ar3d\n")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${control}/postinst ${control}/prerm)
