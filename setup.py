@@ -1,4 +1,4 @@
-"""The Python package as a wheel: the CMake build of python/ and what it installs. See pyproject.toml."""
+"""The Python package as a wheel: the CMake build of python/ and of the program, and what they install. See pyproject.toml."""
 import pathlib
 import re
 
@@ -13,6 +13,7 @@ setup(
     packages=["ar3d"],
     package_dir={"": "python"},
     python_requires=">=3.9",
+    entry_points={"console_scripts": ["ar3d = ar3d:run_program"]},
     install_requires=["numpy"],
     extras_require={"results": ["h5py", "pandas"], "plot": ["matplotlib"]},
     cmake_languages=("CXX",),

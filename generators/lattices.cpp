@@ -134,13 +134,7 @@ LatticePiece diamond_lattice_piece(Count n) { return breadth_first_piece(n, diam
 LatticePiece laves_piece(Count n) { return breadth_first_piece(n, laves_steps); }
 
 Drawing straight_drawing(const LatticePiece& piece, const char* name) {
-  // A breadth-first search reaches no further than n steps, each of at most 1 in every coordinate.
-  Coordinates vertices(piece.positions.size(), static_cast<std::int64_t>(piece.positions.size()));
-  for (std::size_t v = 0; v < piece.positions.size(); ++v) vertices.set(v, piece.positions[v]);
-  auto bends = std::make_shared<StoredBends>();
-  for (EdgeId e = 0; e < piece.graph.num_edges(); ++e) bends->add_edge({});
-  return Drawing(name, kCubeLattice, std::move(vertices), piece.graph.shared_edges(),
-                 std::move(bends));
+  return drawing_from_points(name, piece.graph, piece.positions);
 }
 
 }  // namespace ar3d

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <iterator>
 
 #include "ar3d/base/error.h"
@@ -34,6 +35,21 @@ std::shared_ptr<const BendSource> stored_bends(const Drawing& drawing) {
     bends->add_edge(between);
   });
   return bends;
+}
+
+/// In absolute value; 0 of no points. @throws InputError if it is beyond kMaxCoordinate.
+std::int64_t largest_coordinate(std::span<const Point> points) {
+  std::int64_t largest = 0;
+  for (const auto [x, y, z] : points) {
+    for (const std::int64_t c : {x, y, z}) {
+      if (c < -kMaxCoordinate || c > kMaxCoordinate) {
+        throw InputError(
+            fmt::format("the coordinate {} does not fit, the limit is {}", c, kMaxCoordinate));
+      }
+      largest = std::max(largest, std::abs(c));
+    }
+  }
+  return largest;
 }
 
 }  // namespace
@@ -117,7 +133,7 @@ void Drawing::polyline_between(EdgeId e, Point at_u, Point at_v, std::vector<Poi
   out.push_back(at_v);
 }
 
-Drawing drawing_from_points(const Graph& graph, std::span<const Point> vertices,
+Drawing drawing_from_points(std::string name, const Graph& graph, std::span<const Point> vertices,
                             const std::vector<std::vector<Point>>& bends) {
   const auto require = [](std::size_t given, std::uint64_t wanted, const char* what) {
     if (given == wanted) return;
@@ -125,22 +141,15 @@ Drawing drawing_from_points(const Graph& graph, std::span<const Point> vertices,
   };
   require(vertices.size(), graph.num_vertices(), "points for vertices");
   if (!bends.empty()) require(bends.size(), graph.num_edges(), "lists of bends for edges");
-  const auto checked = [](Point p) {
-    for (const std::int64_t c : {p.x, p.y, p.z}) {
-      if (c >= -kMaxCoordinate && c <= kMaxCoordinate) continue;
-      throw InputError(
-          fmt::format("the coordinate {} does not fit, the limit is {}", c, kMaxCoordinate));
-    }
-    return p;
-  };
-  Coordinates points(vertices.size(), kMaxCoordinate);
-  for (std::size_t v = 0; v < vertices.size(); ++v) points.set(v, checked(vertices[v]));
+  Coordinates points(vertices.size(), largest_coordinate(vertices));
+  points.fill(0, vertices.size(), [&](std::size_t v) { return vertices[v]; });
   auto stored = std::make_shared<StoredBends>();
   for (EdgeId e = 0; e < graph.num_edges(); ++e) {
     stored->add_edge(bends.empty() ? std::vector<Point>() : bends[e]);
+    if (!bends.empty()) largest_coordinate(bends[e]);
   }
-  for (const auto& list : bends) std::for_each(list.begin(), list.end(), checked);
-  return {"own", kCubeLattice, std::move(points), graph.shared_edges(), std::move(stored)};
+  return {std::move(name), kCubeLattice, std::move(points), graph.shared_edges(),
+          std::move(stored)};
 }
 
 Box bounding_box(const Drawing& drawing) {

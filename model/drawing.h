@@ -166,12 +166,13 @@ class Drawing {
   std::shared_ptr<const BendSource> bends_;
 };
 
-/// A drawing of one's own on the cube grid, to be certified: vertex v at vertices[v], edge e from its
-/// smaller end to its larger one over the points bends[e], or straight if `bends` is empty.
-/// O(n + m + bends) time.
+/// A drawing on the cube grid from its points, such as one of one's own that is to be certified:
+/// vertex v at vertices[v], edge e from its smaller end to its larger one over the points bends[e],
+/// or straight if `bends` is empty. O(n + m + bends) time.
+/// @param name  of what drew it.
 /// @throws InputError if there are more or fewer points than vertices or lists than edges, or a
 /// coordinate is beyond kMaxCoordinate.
-Drawing drawing_from_points(const Graph& graph, std::span<const Point> vertices,
+Drawing drawing_from_points(std::string name, const Graph& graph, std::span<const Point> vertices,
                             const std::vector<std::vector<Point>>& bends = {});
 
 /// Calls visit(e, points) for the polylines of the edges begin, ..., end - 1 in this order;

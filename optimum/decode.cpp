@@ -16,19 +16,17 @@ Drawing Encoding::decode(const Model& model) const {
   const int plane =
       question_.in_plane ? points_.points[static_cast<std::size_t>(position[0])][2] : 0;
   const auto in_space = [&](Point p) { return p + Vector{0, 0, -plane}; };
-  Coordinates vertices(graph_.num_vertices(),
-                       std::max({points_.box[0], points_.box[1], points_.box[2]}));
+  std::vector<Point> vertices;
   for (Vertex u = 0; u < graph_.num_vertices(); ++u) {
     const auto& [x, y, z] = points_.points[static_cast<std::size_t>(position[u])];
-    vertices.set(u, in_space({x, y, z}));
+    vertices.push_back(in_space({x, y, z}));
   }
-  auto bends = std::make_shared<StoredBends>();
+  std::vector<std::vector<Point>> bends;
   for (EdgeId e = 0; e < graph_.num_edges(); ++e) {
-    std::vector<Point> points = bends_of(e, position, model);
-    for (Point& p : points) p = in_space(p);
-    bends->add_edge(points);
+    bends.push_back(bends_of(e, position, model));
+    for (Point& p : bends.back()) p = in_space(p);
   }
-  return {"optimum", kCubeLattice, std::move(vertices), graph_.shared_edges(), std::move(bends)};
+  return drawing_from_points("optimum", graph_, vertices, bends);
 }
 
 std::vector<Point> Encoding::bends_of(EdgeId e, const std::vector<int>& position,

@@ -372,7 +372,7 @@ std::shared_ptr<PythonDrawing> drawing_of(const Graph& graph,
     of_edges.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(offsets[e]),
                           all.begin() + static_cast<std::ptrdiff_t>(offsets[e + 1]));
   }
-  return with_points(drawing_from_points(graph, points_of(vertices), of_edges),
+  return with_points(drawing_from_points("own", graph, points_of(vertices), of_edges),
                      graph.shared_edges());
 }
 

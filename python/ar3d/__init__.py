@@ -353,21 +353,36 @@ def _toml(value: Any) -> str:
     return json.dumps(value, ensure_ascii=True)
 
 
+def _program() -> str:
+    """The program ar3d: of $AR3D, of a wheel, or of $PATH."""
+    import shutil
+
+    of_wheel = os.path.join(os.path.dirname(__file__), "bin", "ar3d")
+    program = os.environ.get("AR3D") or (of_wheel if os.path.exists(of_wheel) else shutil.which("ar3d"))
+    if program is None:
+        raise FileNotFoundError("the program ar3d is not in $PATH; $AR3D says where it is")
+    return program
+
+
+def run_program() -> None:
+    """The command `ar3d` of a wheel: becomes the program."""
+    import sys
+
+    os.execv(_program(), ["ar3d", *sys.argv[1:]])
+
+
 def run_study(study: Any, output: Any = None, *arguments: str) -> Any:
     """Runs a study with the program `ar3d` and returns its rows as read_results does.
 
     study: a specification's path, the name of a study of the program, or a dict with the keys of a specification.
     output: the results file; left out, nothing is kept. arguments: further ones of `ar3d study run`.
-    The program is that of $AR3D, else of $PATH. Rows that are violated or incomplete are rows, too. Raises ValueError
+    The program is that of $AR3D, else of the wheel, else of $PATH. Rows that are violated or incomplete are rows, too. Raises ValueError
     with the program's message where the study cannot be run.
     """
-    import shutil
     import subprocess
     import tempfile
 
-    program = os.environ.get("AR3D") or shutil.which("ar3d")
-    if program is None:
-        raise FileNotFoundError("the program ar3d is not in $PATH; $AR3D says where it is")
+    program = _program()
     with tempfile.TemporaryDirectory() as folder:
         if isinstance(study, dict):
             text = "".join(f"{_toml_key(key)} = {_toml(value)}\n" for key, value in study.items())

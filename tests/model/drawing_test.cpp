@@ -9,13 +9,25 @@ namespace ar3d::testing {
 namespace {
 
 Drawing one_edge(Point a, const std::vector<Point>& bends, Point b) {
-  Coordinates vertices(2, kMaxCoordinate);
-  vertices.set(0, a);
-  vertices.set(1, b);
-  auto edges = std::make_shared<std::vector<Edge>>(1, Edge{0, 1});
-  auto source = std::make_shared<StoredBends>();
-  source->add_edge(bends);
-  return Drawing("test", kCubeLattice, std::move(vertices), std::move(edges), std::move(source));
+  return drawing_from_points("test", Graph(2, {{0, 1}}), std::vector<Point>{a, b}, {bends});
+}
+
+TEST(Drawing, PointsThatDoNotFitTheGraphAreRefused) {
+  const Graph edge(2, {{0, 1}});
+  const std::vector<Point> points = {{0, 0, 0}, {1, 1, 1}};
+  const auto refusal = [&](const std::vector<Point>& vertices, const auto& bends) {
+    return problem([&] { drawing_from_points("own", edge, vertices, bends); });
+  };
+  using Bends = std::vector<std::vector<Point>>;
+  EXPECT_EQ(refusal(points, Bends()), "");
+  EXPECT_EQ(refusal({{0, 0, 0}}, Bends()), "1 points for vertices are given, the graph has 2");
+  EXPECT_EQ(refusal(points, Bends(2)), "2 lists of bends for edges are given, the graph has 1");
+  for (const std::int64_t far : {kMaxCoordinate + 1, -kMaxCoordinate - 1, INT64_MIN}) {
+    const std::string said = "the coordinate " + std::to_string(far) +
+                             " does not fit, the limit is " + std::to_string(kMaxCoordinate);
+    EXPECT_EQ(refusal({{0, 0, 0}, {0, far, 0}}, Bends()), said);
+    EXPECT_EQ(refusal(points, Bends{{{0, 0, far}}}), said);
+  }
 }
 
 TEST(Drawing, PolylineHasBothEnds) {

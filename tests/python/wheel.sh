@@ -18,6 +18,8 @@ proves() {
 }
 $offline build/env/bin/pip install --no-deps "$scratch"/wheels/ar3d-*.whl
 proves
+(cd / && printf 'D~{\n' | "$scratch/clone/build/env/bin/ar3d" draw - --algorithm diamond | "$scratch/clone/build/env/bin/ar3d" verify -) |
+  grep '^1 certified'
 build/env/bin/python -m pip uninstall -q --yes ar3d
 build/env/bin/pip install --no-build-isolation .
 proves
