@@ -177,17 +177,44 @@ def _unpickled(line: str) -> Drawing:
     return _core.unpickled(line)
 
 
+# The page of the first drawing of a process holds the viewer and hands its two scripts to the notebook around it; the pages of
+# later drawings take them from there. Their texts are the same, so the page's content security policy allows them.
+_GIVE = "parent.ar3dViewer = [...document.scripts].filter(script => !script.type && script !== document.currentScript).map(script => script.text);"
+_TAKE = """
+const note = document.body.appendChild(document.createElement("p"));
+note.textContent = "The viewer is in the first drawing of this notebook: run its cell, or scroll to it.";
+const wait = setInterval(() => {
+  if (!parent.ar3dViewer) return;
+  clearInterval(wait);
+  note.remove();
+  for (const text of parent.ar3dViewer) document.body.appendChild(document.createElement("script")).text = text;
+}, 100);
+"""
+_viewer_is_given = False
+
+
 def _html_of(drawing: Drawing) -> str:
-    """What a notebook shows of a drawing: the page of `ar3d view` in a frame."""
+    """What a notebook shows of a drawing: the page of `ar3d view` in a frame; after the first one without the viewer's scripts."""
+    import base64
+    import hashlib
     import html
+    import re
     import tempfile
 
+    global _viewer_is_given
     with tempfile.TemporaryDirectory() as folder:
         page = os.path.join(folder, "drawing.html")
         drawing.save(page)
-        with open(page, encoding="utf-8") as file:
-            text = html.escape(file.read())
-    return f'<iframe title="The drawing in 3D" style="width:100%;height:480px;border:0" srcdoc="{text}"></iframe>'
+        with open(page, encoding="utf-8", newline="") as file:
+            text = file.read()
+    if _viewer_is_given:
+        text = re.sub(r"<script>.*?</script>", "", text, flags=re.S)
+    own = _TAKE if _viewer_is_given else _GIVE
+    _viewer_is_given = True
+    digest = base64.b64encode(hashlib.sha256(own.encode()).digest()).decode()
+    text = text.replace("script-src ", f"script-src 'sha256-{digest}' ", 1).replace("</body>", f"<script>{own}</script></body>")
+    return ('<iframe title="The drawing in 3D" style="width:100%;height:480px;border:0" '
+            f'srcdoc="{html.escape(text)}"></iframe>')
 
 
 Drawing._repr_html_ = _html_of

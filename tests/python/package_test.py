@@ -134,6 +134,20 @@ class Draw(unittest.TestCase):
         self.assertTrue(drawing._repr_html_().startswith("<iframe "))
         self.assertEqual(dir(ar3d), sorted([*ar3d.__all__, "__version__"]))
 
+    def test_drawings_of_a_notebook_share_the_viewer_of_the_first(self):
+        with tempfile.TemporaryDirectory() as folder:
+            script = ("import ar3d, sys; frames = [ar3d.draw('D~{', name)._repr_html_() for name in ('diamond', 'compact', 'diamond')]\n"
+                      "print(*map(len, frames)); open('page.html', 'w').write(sys.argv[1] + ''.join(frames) + '</body></html>')")
+            count = ("<html><body><script>setInterval(() => document.body.dataset.ready = Array.from(frames).filter("
+                     "frame => frame.ar3d?.view?.ready).length, 100)</script>")
+            done = subprocess.run([sys.executable, "-c", script, count], check=True, cwd=folder, capture_output=True, text=True)
+            first, *others = map(int, done.stdout.split())
+            self.assertGreater(first, 400_000)
+            self.assertLess(max(others), 60_000)
+            shown = subprocess.run(["chromium", "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                                    "--virtual-time-budget=60000", "--dump-dom", f"file://{folder}/page.html"], capture_output=True, text=True)
+            self.assertIn('data-ready="3"', shown.stdout[:1000])
+
     def test_takes_texts_and_igraph_and_warns(self):
         import igraph
         for graph in ("D~{", igraph.Graph.Full(5)):
