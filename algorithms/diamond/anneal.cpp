@@ -15,18 +15,18 @@ constexpr unsigned kPasses = 40;
 constexpr std::uint64_t kSeed =
     0x6469616d6f6e64;  // any fixed number: the same drawing for the same graph
 
-/// The neighbours of each vertex in the red order; vertices named by their places in the green
+/// The neighbours of each vertex in the red order; vertices named by their indices in the green
 /// order, where the neighbours of i are i - 1 and i + 1.
 using RedNeighbours = std::vector<std::array<std::uint32_t, 2>>;
 
 RedNeighbours red_neighbours(const Items& green, const Items& red) {
   const std::size_t n = green.vertex.size();
-  std::vector<std::uint32_t> place(n);
-  for (std::uint32_t i = 0; i < n; ++i) place[green.vertex[i]] = i;
+  std::vector<std::uint32_t> index(n);
+  for (std::uint32_t i = 0; i < n; ++i) index[green.vertex[i]] = i;
   RedNeighbours result(n, {kNone, kNone});
   for (std::size_t i = 1; i < n; ++i) {
-    const std::uint32_t a = place[red.vertex[i - 1]];
-    const std::uint32_t b = place[red.vertex[i]];
+    const std::uint32_t a = index[red.vertex[i - 1]];
+    const std::uint32_t b = index[red.vertex[i]];
     result[a][1] = b;
     result[b][0] = a;
   }
@@ -71,7 +71,7 @@ class Annealing {
   }
 
   const RedNeighbours& red_;
-  std::vector<std::uint8_t> parity_;  // by place in the green order
+  std::vector<std::uint8_t> parity_;  // by index in the green order
   RandomStream random_;
 };
 

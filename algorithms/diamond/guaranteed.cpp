@@ -72,33 +72,33 @@ class RedStack {
     return offsets;
   }
 
-  /// y of a place of an item in the stack.
-  std::int32_t y(std::uint32_t item, std::uint32_t place) const {
+  /// y of an index of an item in the stack.
+  std::int32_t y(std::uint32_t item, std::uint32_t index) const {
     const auto [natural, reversed] = order_[item];
     const Bump bump = cycles_.bumps[natural];
-    std::int32_t y = base_[item] + static_cast<std::int32_t>(place);
-    if (place == 0) return y;
+    std::int32_t y = base_[item] + static_cast<std::int32_t>(index);
+    if (index == 0) return y;
     y += reversed ? bump.last : bump.first;
-    return place + 1 == red_.size(item) ? y + (reversed ? bump.first : bump.last) : y;
+    return index + 1 == red_.size(item) ? y + (reversed ? bump.first : bump.last) : y;
   }
 
  private:
-  /// A green closing edge from a place of an item to an earlier item.
+  /// A green closing edge from an index of an item to an earlier item.
   struct StackedClosing {
-    std::uint32_t place;
+    std::uint32_t index;
     std::uint32_t other_item;
     std::uint32_t other_place;
     std::int32_t x_distance;
   };
 
-  /// Item in the stack, and place there.
+  /// Item in the stack, and index there.
   std::pair<std::uint32_t, std::uint32_t> where(Vertex v) const {
     const auto [position, natural] = natural_[v];
     const std::uint32_t item = number_[natural];
     const std::uint32_t size = red_.size(item);
     const std::uint32_t turned = cycles_.turned[natural];
-    const std::uint32_t place = (position - begin_[natural] + size - turned) % size;
-    return {item, order_[item].reversed ? size - 1 - place : place};
+    const std::uint32_t index = (position - begin_[natural] + size - turned) % size;
+    return {item, order_[item].reversed ? size - 1 - index : index};
   }
 
   void file(const std::vector<GreenClosing>& closings, const PlanePoints& at) {
@@ -118,7 +118,7 @@ class RedStack {
     if (bad) forbidden_.push_back(0);
     late_.for_each(item, [&](std::uint32_t i) {
       const StackedClosing& closing = closings_[i];
-      const std::int32_t without = y(item, closing.place);  // base_ is 0 so far
+      const std::int32_t without = y(item, closing.index);  // base_ is 0 so far
       forbidden_.push_back(y(closing.other_item, closing.other_place) + closing.x_distance - top -
                            without);
     });

@@ -56,11 +56,11 @@ Items extract_items(const std::vector<HalfEdge>& next);
 std::uint32_t count_cycles(const Items& items);
 
 /// Holds where each vertex stands: its position in Items::vertex, and its item.
-struct Place {
+struct ItemPosition {
   std::uint32_t position = 0;
   std::uint32_t item = 0;
 };
-using Whereabouts = UnwrittenVector<Place>;
+using Whereabouts = UnwrittenVector<ItemPosition>;
 Whereabouts whereabouts(const Items& items);
 
 /// A list of the items with a direction for each: what remains when a colour's items are put in

@@ -25,23 +25,23 @@ std::uint32_t largest_cycle(const Items& items) {
 class Rotatable {
  public:
   Rotatable(const Items& items, std::uint32_t cycle)
-      : begin_(items.begin[cycle]), size_(items.size(cycle)), place_(items.vertex.size()) {
-    for (std::uint32_t i = 0; i < place_.size(); ++i) place_[items.vertex[i]] = i;
+      : begin_(items.begin[cycle]), size_(items.size(cycle)), index_(items.vertex.size()) {
+    for (std::uint32_t i = 0; i < index_.size(); ++i) index_[items.vertex[i]] = i;
   }
 
   std::uint32_t size() const { return size_; }
 
   /// The rank of v after the cycle has been closed at its edge `closing`.
   std::int64_t rank(Vertex v, std::uint32_t closing) const {
-    const std::uint32_t i = place_[v] - begin_;  // wraps to a large number outside the cycle
-    if (i >= size_) return place_[v];
+    const std::uint32_t i = index_[v] - begin_;  // wraps to a large number outside the cycle
+    if (i >= size_) return index_[v];
     return begin_ + (i > closing ? i - closing - 1 : i + size_ - closing - 1);
   }
 
  private:
   std::uint32_t begin_;
   std::uint32_t size_;
-  std::vector<std::uint32_t> place_;
+  std::vector<std::uint32_t> index_;
 };
 
 /// Twice the height that a closing edge with ends of these ranks costs, of n ranks.

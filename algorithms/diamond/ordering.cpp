@@ -32,11 +32,10 @@ class Ordering {
     return p.reversed ? items_.first(p.item) : items_.last(p.item);
   }
 
-  /// Can the item, in that direction, stand before place number `gap`?
+  /// Can the item, in that direction, stand before index `gap`?
   bool fits(ItemInOrder p, std::size_t gap) const {
-    const auto& places = order_;
-    if (gap > 0 && adjacent(graph_, end(places[gap - 1]), start(p))) return false;
-    return gap == places.size() || !adjacent(graph_, end(p), start(places[gap]));
+    if (gap > 0 && adjacent(graph_, end(order_[gap - 1]), start(p))) return false;
+    return gap == order_.size() || !adjacent(graph_, end(p), start(order_[gap]));
   }
 
   std::optional<ItemInOrder> fitting_direction(std::uint32_t item, std::size_t gap) const {
@@ -48,8 +47,8 @@ class Ordering {
 
   bool take_fitting() {
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
-      if (const auto place = fitting_direction(waiting_[i], order_.size())) {
-        order_.push_back(*place);
+      if (const auto oriented = fitting_direction(waiting_[i], order_.size())) {
+        order_.push_back(*oriented);
         waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(i));
         return true;
       }
@@ -60,15 +59,14 @@ class Ordering {
   /// At most two items are left over. Appends if the item fits there by now, else inserts it where
   /// it fits, else appends it behind a bad boundary.
   void place_leftover(std::uint32_t item) {
-    auto& places = order_;
-    for (std::size_t i = 0; i <= places.size(); ++i) {
-      const std::size_t gap = i == 0 ? places.size() : i - 1;
-      if (const auto place = fitting_direction(item, gap)) {
-        places.insert(places.begin() + static_cast<std::ptrdiff_t>(gap), *place);
+    for (std::size_t i = 0; i <= order_.size(); ++i) {
+      const std::size_t gap = i == 0 ? order_.size() : i - 1;
+      if (const auto oriented = fitting_direction(item, gap)) {
+        order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(gap), *oriented);
         return;
       }
     }
-    places.push_back({item, false});
+    order_.push_back({item, false});
   }
 
   const Graph& graph_;

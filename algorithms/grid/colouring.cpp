@@ -14,8 +14,8 @@ namespace {
 /// A Kempe chain being followed: it begins at w with the label `wanted` and alternates with the
 /// label `given` that w's half-edge to v has. Swapping the two labels on it frees `given` at w.
 struct Walker {
-  Place start = 0;
-  Place at = 0;
+  Index start = 0;
+  Index at = 0;
   Colour wanted = 0;
   Colour given = 0;
   Colour follow = 0;
@@ -37,9 +37,9 @@ class Labeller {
 
   Colouring run() {
     for (const OrderPart& part : order_.parts) {
-      f_ = part.cubic ? part.begin : kNoPlace;
-      r_ = part.cubic ? part.end - 1 : kNoPlace;
-      for (Place v = part.begin + (part.cubic ? 1 : 0); v < part.end; ++v) {
+      f_ = part.cubic ? part.begin : kNoIndex;
+      r_ = part.cubic ? part.end - 1 : kNoIndex;
+      for (Index v = part.begin + (part.cubic ? 1 : 0); v < part.end; ++v) {
         prefetch_ports(v + kAhead);
         label_at(v);
       }
@@ -50,26 +50,26 @@ class Labeller {
 
  private:
   /// Memory of v's neighbours, which label_at(v) reads, on its way.
-  [[gnu::always_inline]] void prefetch_ports(Place v) const {
+  [[gnu::always_inline]] void prefetch_ports(Index v) const {
     if (v >= neighbours_.size()) return;
     for (const HalfEdge& half : neighbours_[v].halves()) {
       __builtin_prefetch(&result_.ports[half.to], 1);
     }
   }
 
-  Colour label_towards(Place from, Place to) const {
+  Colour label_towards(Index from, Index to) const {
     const Ports& ports = result_.ports[from];
     return ports.to[0] == to ? 0 : ports.to[1] == to ? 1 : 2;
   }
-  ColourSet used_at(Place v) const {
+  ColourSet used_at(Index v) const {
     ColourSet used = 0;
     for (Colour c = 0; c < kColours; ++c) {
-      if (result_.ports[v].to[c] != kNoPlace) used |= only(c);
+      if (result_.ports[v].to[c] != kNoIndex) used |= only(c);
     }
     return used;
   }
 
-  HalfEdgesAt look(Place v) const {
+  HalfEdgesAt look(Index v) const {
     HalfEdgesAt at;
     for (const HalfEdge& half : neighbours_[v].halves()) {
       if (half.to == f_) {
@@ -93,7 +93,7 @@ class Labeller {
     return false;
   }
 
-  void label_at(Place v) {
+  void label_at(Index v) {
     HalfEdgesAt view = look(v);
     if (v == r_) set_port(f_, first_of(~used_at(f_)), v);
     for (unsigned attempt = 0; attempt < 2 && has_clash(view) && repair(v, view); ++attempt) {
@@ -108,10 +108,10 @@ class Labeller {
     label_forward(v, view, free);
   }
 
-  void set_port(Place v, Colour label, Place to) { result_.ports[v].to[label] = to; }
+  void set_port(Index v, Colour label, Index to) { result_.ports[v].to[label] = to; }
 
   /// f gets its labels from its neighbours, so none of them but r ever clashes because of f.
-  ColourSet label_f_edge(Place v, ColourSet free) {
+  ColourSet label_f_edge(Index v, ColourSet free) {
     const ColourSet allowed = free & ~used_at(f_);
     expect(allowed != 0, "f and its neighbour share a free label");
     const Colour label = first_of(allowed);
@@ -122,7 +122,7 @@ class Labeller {
 
   /// Distinct free labels for the forward half-edges, preferring labels that the other end has not
   /// been offered.
-  void label_forward(Place v, const HalfEdgesAt& view, ColourSet free) {
+  void label_forward(Index v, const HalfEdgesAt& view, ColourSet free) {
     for (unsigned i = 0; i < view.forwards; ++i) {
       const Colour label = view.forward_label(i, free, received_);
       set_port(v, label, view.forward[i].to);
@@ -133,7 +133,7 @@ class Labeller {
 
   /// Follows, in turn, every Kempe chain that lets one of the clashing neighbours offer another
   /// label, and swaps the one that ends first.
-  bool repair(Place v, const HalfEdgesAt& view) {
+  bool repair(Index v, const HalfEdgesAt& view) {
     std::array<Walker, 6> walkers;
     unsigned count = 0;
     for (unsigned i = 0; i < view.backs; ++i) {
@@ -168,21 +168,21 @@ class Labeller {
     return false;
   }
 
-  ChainStep advance(Walker& walker, Place v) const {
-    const Place to = result_.ports[walker.at].to[walker.follow];
+  ChainStep advance(Walker& walker, Index v) const {
+    const Index to = result_.ports[walker.at].to[walker.follow];
     if (to == v) return ChainStep::fails;
-    if (to == kNoPlace || to > v) return ChainStep::ends;
+    if (to == kNoIndex || to > v) return ChainStep::ends;
     if (result_.ports[to].has_defect != 0) return ChainStep::fails;
     walker.at = to;
     walker.follow = walker.follow == walker.wanted ? walker.given : walker.wanted;
     return ChainStep::goes_on;
   }
 
-  void swap_labels(const Walker& walker, Place v) {
+  void swap_labels(const Walker& walker, Index v) {
     Colour follow = walker.wanted;
-    for (Place at = walker.start; at != kNoPlace && at <= v;) {
+    for (Index at = walker.start; at != kNoIndex && at <= v;) {
       Ports& ports = result_.ports[at];
-      const Place to = ports.to[follow];
+      const Index to = ports.to[follow];
       std::swap(ports.to[walker.wanted], ports.to[walker.given]);
       follow = follow == walker.wanted ? walker.given : walker.wanted;
       at = to;
@@ -191,7 +191,7 @@ class Labeller {
 
   /// The labels of v's half-edges with the fewest defects, none of them with labels 0 and 1 if that
   /// can be.
-  void settle_clash(Place v, const HalfEdgesAt& view) {
+  void settle_clash(Index v, const HalfEdgesAt& view) {
     static constexpr std::array<std::array<Colour, 3>, 6> kOrders = {
         {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
     const auto cost = [&](const std::array<Colour, 3>& labels) {
@@ -219,7 +219,7 @@ class Labeller {
     }
   }
 
-  void add_defect(Place v, Colour label, const HalfEdge& back, Colour there) {
+  void add_defect(Index v, Colour label, const HalfEdge& back, Colour there) {
     if (label == 2) {
       result_.defects.push_back({back.to, v, back.edge, there, label});
     } else {
@@ -231,10 +231,10 @@ class Labeller {
   const std::span<const PlacedRow> neighbours_;
   const std::uint64_t longest_chain_;
   std::uint64_t budget_;
-  std::vector<std::uint8_t> received_;  // labels that earlier vertices sent to this place
+  std::vector<std::uint8_t> received_;  // labels that earlier vertices sent to this index
   Colouring result_;
-  Place f_ = kNoPlace;  // of the present component, if cubic
-  Place r_ = kNoPlace;
+  Index f_ = kNoIndex;  // of the present component, if cubic
+  Index r_ = kNoIndex;
 };
 
 }  // namespace

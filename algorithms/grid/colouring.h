@@ -11,15 +11,15 @@ namespace ar3d::grid {
 
 /// Holds where the three labelled half-edges of a vertex lead; one cache line holds four.
 struct alignas(16) Ports {
-  std::array<Place, kColours> to{kNoPlace, kNoPlace, kNoPlace};  ///< by label; kNoPlace: none
+  std::array<Index, kColours> to{kNoIndex, kNoIndex, kNoIndex};  ///< by label; kNoIndex: none
   std::uint32_t has_defect = 0;  ///< 1 if the labels of a half-edge to an earlier vertex differ
 };
 
 /// An edge whose two labels differ: label_x at x, label_y at y. One of them is 2 and belongs to y,
 /// unless the labels are 0 and 1.
 struct ColourDefect {
-  Place x = 0;
-  Place y = 0;
+  Index x = 0;
+  Index y = 0;
   EdgeId edge = 0;
   Colour label_x = 0;
   Colour label_y = 0;
@@ -29,7 +29,7 @@ struct ColourDefect {
 /// Invariant: the labels at a vertex differ; the two labels of an edge are equal except on the edges
 /// in `defects`. A component has at most one defect with labels 0 and 1.
 struct Colouring {
-  UnwrittenVector<Ports> ports;       // by place
+  UnwrittenVector<Ports> ports;       // by index
   std::vector<ColourDefect> defects;  // component by component, in processing order
   std::uint64_t chain_steps = 0;      ///< edges of Kempe chains followed
 };

@@ -35,11 +35,11 @@ DefectPaths::DefectPaths(HeightPool& pool, std::span<const ColourDefect> defects
 
 DefectPaths::~DefectPaths() {
   for (const Path& path : paths_) {
-    for (const Place v : path.vertices) path_of_[v] = kNoPath;
+    for (const Index v : path.vertices) path_of_[v] = kNoPath;
   }
 }
 
-std::span<const std::size_t> DefectPaths::defects_at(Place x) const {
+std::span<const std::size_t> DefectPaths::defects_at(Index x) const {
   const auto x_of = [&](std::size_t d) { return defects_[d].x; };
   const auto first = std::ranges::lower_bound(by_x_, x, {}, x_of) - by_x_.begin();
   const auto last = std::ranges::upper_bound(by_x_, x, {}, x_of) - by_x_.begin();
@@ -51,21 +51,21 @@ std::span<const std::size_t> DefectPaths::defects_at(Place x) const {
 /// has already is left out when they are added, in order.
 void DefectPaths::collect(std::span<const ColourDefect> defects) {
   std::array<Path, kInTurns> paths;
-  std::array<Place, kInTurns> at{};
+  std::array<Index, kInTurns> at{};
   std::size_t count = 0;
   for (const ColourDefect& defect : defects) {
     if (contains(defect.x)) continue;
-    paths[count].first_colour = pool_.neighbour(defect.x, 0) != kNoPlace ? 1 : 0;
+    paths[count].first_colour = pool_.neighbour(defect.x, 0) != kNoIndex ? 1 : 0;
     at[count++] = defect.x;
   }
   for (bool going = count > 0; going;) {
     going = false;
     for (std::size_t i = 0; i < count; ++i) {
-      if (at[i] == kNoPlace) continue;
+      if (at[i] == kNoIndex) continue;
       auto& vertices = paths[i].vertices;
       vertices.push_back(at[i]);
       at[i] = pool_.neighbour(at[i], paths[i].colour_of(vertices.size()));
-      if (at[i] != kNoPlace) pool_.prefetch_neighbours(at[i]);
+      if (at[i] != kNoIndex) pool_.prefetch_neighbours(at[i]);
       going = true;
     }
   }
@@ -75,7 +75,7 @@ void DefectPaths::collect(std::span<const ColourDefect> defects) {
 }
 
 void DefectPaths::add(Path path) {
-  for (const Place v : path.vertices) path_of_[v] = static_cast<std::uint32_t>(paths_.size());
+  for (const Index v : path.vertices) path_of_[v] = static_cast<std::uint32_t>(paths_.size());
   const std::size_t size = path.vertices.size();
   path.both_ends = size > 1 && is_x(path.vertices.back());
   path.first = 2;
@@ -110,9 +110,9 @@ std::vector<std::size_t> DefectPaths::blocked() {
   std::vector<std::uint8_t> touched(paths_.size(), 0);
   for (std::uint32_t p = 0; p < paths_.size(); ++p) {
     if (finish_ends(p, 0) || touched[p] != 0) continue;
-    for (const Place x : {paths_[p].vertices.front(), paths_[p].vertices.back()}) {
+    for (const Index x : {paths_[p].vertices.front(), paths_[p].vertices.back()}) {
       for (const std::size_t d : defects_at(x)) {
-        const Place y = defects_[d].y;
+        const Index y = defects_[d].y;
         if (pool_.is_numbered(y) || touched[p] != 0 || touched[path_of_[y]] != 0) continue;
         touched[p] = touched[path_of_[y]] = 1;
         blocked.push_back(d);
@@ -156,7 +156,7 @@ void DefectPaths::grow(Path& path, unsigned side) {
   if (side == 0 ? path.left <= path.first : path.right >= path.last) return;
   const std::size_t joint = side == 0 ? --path.left : path.right++;
   const std::size_t at = side == 0 ? joint : joint - 1;
-  const Place between = path.vertices[at];
+  const Index between = path.vertices[at];
   const auto ahead = [&](std::size_t steps) { return side == 0 ? at - steps : at + steps; };
   if (ahead(std::size_t{2} * kAhead) < path.vertices.size())
     pool_.prefetch(path.vertices[ahead(std::size_t{2} * kAhead)]);
@@ -223,8 +223,8 @@ bool DefectPaths::finish_end(std::uint32_t p, unsigned side, int depth) {
   if (path.end[side] == EndState::done) return true;
   if (path.end[side] == EndState::in_progress || !path.grown || depth > kDeepest) return false;
   const bool shared = path.both_ends && path.vertices.size() == 2;  // the two ends share a joint
-  const std::array<Place, 2> both = {path.vertices.front(), path.vertices.back()};
-  const std::span<const Place> xs(both.data() + (shared ? 0 : side), shared ? 2 : 1);
+  const std::array<Index, 2> both = {path.vertices.front(), path.vertices.back()};
+  const std::span<const Index> xs(both.data() + (shared ? 0 : side), shared ? 2 : 1);
   const auto set_state = [&](EndState state) {
     path.end[side] = state;
     if (shared) path.end[1 - side] = state;
@@ -237,14 +237,14 @@ bool DefectPaths::finish_end(std::uint32_t p, unsigned side, int depth) {
 }
 
 /// A y without numbers is an end of a path, or next to one.
-bool DefectPaths::number_lower_ends(std::span<const Place> xs, int depth) {
-  for (const Place x : xs) {
+bool DefectPaths::number_lower_ends(std::span<const Index> xs, int depth) {
+  for (const Index x : xs) {
     for (const std::size_t d : defects_at(x)) {
-      const Place y = defects_[d].y;
+      const Index y = defects_[d].y;
       if (pool_.is_numbered(y)) continue;
       const std::uint32_t q = path_of_[y];
       expect(q != kNoPath, "all other chains have numbers");
-      const std::vector<Place>& on = paths_[q].vertices;
+      const std::vector<Index>& on = paths_[q].vertices;
       const bool near_first = on[0] == y || (on.size() > 1 && on[1] == y);
       const bool near_last = on.back() == y || (on.size() > 1 && on[on.size() - 2] == y);
       if (near_first && !finish_end(q, 0, depth + 1)) return false;
@@ -256,20 +256,20 @@ bool DefectPaths::number_lower_ends(std::span<const Place> xs, int depth) {
 }
 
 /// Slots first, then the heights of the x's above them.
-void DefectPaths::place(std::span<const Place> xs) {
-  for (const Place x : xs) {
+void DefectPaths::place(std::span<const Index> xs) {
+  for (const Index x : xs) {
     for (const std::size_t d : defects_at(x)) keep_slot(d);
   }
   for (const bool shared_first : {true, false}) {
-    for (const Place x : xs) {
+    for (const Index x : xs) {
       for (const Colour c : {0u, 1u}) {
-        if ((pool_.neighbour(x, c) != kNoPlace) == shared_first && !pool_.has_height(x, c)) {
+        if ((pool_.neighbour(x, c) != kNoIndex) == shared_first && !pool_.has_height(x, c)) {
           place_colour(xs, x, c);
         }
       }
     }
   }
-  for (const Place x : xs) {
+  for (const Index x : xs) {
     for (const std::size_t d : defects_at(x)) {
       slots_[d].below_x = pool_.height(x, 1 - defects_[d].label_x) - slots_[d].low;
     }
@@ -279,9 +279,9 @@ void DefectPaths::place(std::span<const Place> xs) {
 void DefectPaths::keep_slot(std::size_t d) {
   const ColourDefect& defect = defects_[d];
   const Colour c = 1 - defect.label_x;
-  const Place next = pool_.neighbour(defect.x, c);
+  const Index next = pool_.neighbour(defect.x, c);
   const std::int64_t near =  // the path's last number, or where new chains begin
-      next != kNoPlace && pool_.has_height(next, 1 - c) ? pool_.height(next, 1 - c) - 1
+      next != kNoIndex && pool_.has_height(next, 1 - c) ? pool_.height(next, 1 - c) - 1
                                                         : pool_.chain_start(c);
   const std::int64_t from = std::max(pool_.height(defect.y, c) + 1, near);
   slots_[d].low = pool_.next_free_pair(c, std::min(from, height_limit_));
@@ -289,7 +289,7 @@ void DefectPaths::keep_slot(std::size_t d) {
   pool_.take(c, slots_[d].low + 1);
 }
 
-std::int64_t DefectPaths::least_height(Place x, Colour c) const {
+std::int64_t DefectPaths::least_height(Index x, Colour c) const {
   std::int64_t least = kLowest;
   for (const std::size_t d : defects_at(x)) {
     const ColourDefect& defect = defects_[d];
@@ -303,24 +303,24 @@ std::int64_t DefectPaths::least_height(Place x, Colour c) const {
 }
 
 /// x's height of colour c, shared with its neighbour along c if there is one.
-void DefectPaths::place_colour(std::span<const Place> xs, Place x, Colour c) {
-  const Place other = pool_.neighbour(x, c);
+void DefectPaths::place_colour(std::span<const Index> xs, Index x, Colour c) {
+  const Index other = pool_.neighbour(x, c);
   std::int64_t from = least_height(x, c);
-  for (const Place v : xs) {
+  for (const Index v : xs) {
     if (v == other) from = std::max(from, least_height(v, c));
   }
-  for (const Place v : {x, other}) {
-    if (v != kNoPlace && pool_.has_height(v, 1 - c)) {
+  for (const Index v : {x, other}) {
+    if (v != kNoIndex && pool_.has_height(v, 1 - c)) {
       from = std::max(from, pool_.height(v, 1 - c) - 1);
     }
   }
   std::int64_t h = pool_.next_free(c, std::min(from, height_limit_));
-  while (!pool_.suits(x, c, h) || (other != kNoPlace && !pool_.suits(other, c, h))) {
+  while (!pool_.suits(x, c, h) || (other != kNoIndex && !pool_.suits(other, c, h))) {
     h = pool_.next_free(c, h + 1);
   }
   pool_.take(c, h);  // one outlier must not lift the chains that follow
   pool_.set_height(x, c, h);
-  if (other != kNoPlace) pool_.set_height(other, c, h);
+  if (other != kNoIndex) pool_.set_height(other, c, h);
 }
 
 }  // namespace ar3d::grid

@@ -70,12 +70,12 @@ class FlatNumbers {
   const ProcessingOrder& order_;
   UnwrittenVector<PlacedRow> neighbours_;
   Colouring colouring_;
-  UnwrittenVector<PlaneNumbers> x_;    ///< by place
+  UnwrittenVector<PlaneNumbers> x_;    ///< by index
   std::vector<ColourDefect> defects_;  ///< of the last component numbered
   std::vector<Slot> slots_;            ///< likewise
   std::vector<std::size_t> to_turn_;   ///< defects whose rules the last attempt could not keep
   std::vector<std::uint32_t> path_of_;
-  std::vector<Place> buffer_;
+  std::vector<Index> buffer_;
   StepCounts steps_;
 };
 
@@ -100,7 +100,7 @@ bool FlatNumbers::number(const OrderPart& part, std::span<const ColourDefect> de
     relabelling.drop_healed();
     if (number_once(part)) return true;
     if (to_turn_.empty()) return false;
-    for (Place v = part.begin; v < part.end; ++v) {
+    for (Index v = part.begin; v < part.end; ++v) {
       x_[v] = kUnsetNumbers;
     }
   }
@@ -114,13 +114,13 @@ bool FlatNumbers::number_once(const OrderPart& part) {
   HeightPool pool(colouring_.ports, part, x_);
   std::optional<DefectPaths> paths;
   if (!defects_.empty()) paths.emplace(pool, defects_, path_of_);
-  const auto is_later = [&](Place v) { return paths && paths->contains(v); };
-  for (Place v = part.begin; v < part.end; ++v) {
+  const auto is_later = [&](Index v) { return paths && paths->contains(v); };
+  for (Index v = part.begin; v < part.end; ++v) {
     if (pool.ends_chain(v) && !pool.has_height(v, 0) && !pool.has_height(v, 1) && !is_later(v)) {
       number_path(pool, v);
     }
   }
-  for (Place v = part.begin; v < part.end; ++v) {
+  for (Index v = part.begin; v < part.end; ++v) {
     if (!pool.has_height(v, 0) && !is_later(v)) number_cycle(pool, v, buffer_);
   }
   std::span<const HeightSlot> slots;
@@ -140,12 +140,12 @@ bool FlatNumbers::number_once(const OrderPart& part) {
   return true;
 }
 
-/// Copies one component's labels and numbers from places to vertices.
+/// Copies one component's labels and numbers from indices to vertices.
 void FlatNumbers::adopt(const OrderPart& part, Planes& planes) const {
-  const auto set_label = [&](EdgeId e, Place at, Place to, Colour label) {
+  const auto set_label = [&](EdgeId e, Index at, Index to, Colour label) {
     planes.labels.set(e, order_.sequence[at], order_.sequence[to], label);
   };
-  for (Place i = part.begin; i < part.end; ++i) {
+  for (Index i = part.begin; i < part.end; ++i) {
     if (i + kAhead < part.end) __builtin_prefetch(&planes.of[order_.sequence[i + kAhead]], 1);
     planes.of[order_.sequence[i]] = x_[i];
     const auto& to = colouring_.ports[i].to;

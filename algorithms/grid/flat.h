@@ -26,7 +26,7 @@ inline std::int64_t height_limit(std::int64_t n) {
 class HeightPool {
  public:
   /// @param ports  without the half-edges of defects.
-  /// @param x  numbers of all places; those of the component are unset.
+  /// @param x  numbers of all indices; those of the component are unset.
   HeightPool(std::span<const Ports> ports, const OrderPart& part, std::span<PlaneNumbers> x)
       : ports_(ports),
         part_(part),
@@ -35,17 +35,17 @@ class HeightPool {
         frontier_(-part.size() / 4) {}
 
   const OrderPart& part() const { return part_; }
-  Place neighbour(Place v, Colour c) const { return ports_[v].to[c]; }
-  bool ends_chain(Place v) const {
-    return neighbour(v, 0) == kNoPlace || neighbour(v, 1) == kNoPlace;
+  Index neighbour(Index v, Colour c) const { return ports_[v].to[c]; }
+  bool ends_chain(Index v) const {
+    return neighbour(v, 0) == kNoIndex || neighbour(v, 1) == kNoIndex;
   }
-  bool has_height(Place v, Colour c) const { return x_[v][c] != kUnsetNumber; }
-  bool is_numbered(Place v) const { return has_height(v, 0) && has_height(v, 1); }
-  std::int64_t height(Place v, Colour c) const {
+  bool has_height(Index v, Colour c) const { return x_[v][c] != kUnsetNumber; }
+  bool is_numbered(Index v) const { return has_height(v, 0) && has_height(v, 1); }
+  std::int64_t height(Index v, Colour c) const {
     return c == 0 ? x_[v][0] : -std::int64_t{x_[v][1]};
   }
 
-  void set_height(Place v, Colour c, std::int64_t h) { x_[v][c] = narrow(c == 0 ? h : -h); }
+  void set_height(Index v, Colour c, std::int64_t h) { x_[v][c] = narrow(c == 0 ? h : -h); }
   /// Marks a height as used.
   void take(Colour c, std::int64_t h);
   /// Marks a height as used; later chains begin near it or above.
@@ -53,17 +53,17 @@ class HeightPool {
 
   /// Returns whether h, as v's height of colour c, keeps v's pair sum away from its partner's, as
   /// far as both are known.
-  bool suits(Place v, Colour c, std::int64_t h) const;
-  bool is_far_from_partner(Place v, std::int64_t pair) const;
+  bool suits(Index v, Colour c, std::int64_t h) const;
+  bool is_far_from_partner(Index v, std::int64_t pair) const;
 
   /// Asks for the memory of v, and then of its partner, before they are needed.
-  [[gnu::always_inline]] void prefetch(Place v) const {
+  [[gnu::always_inline]] void prefetch(Index v) const {
     __builtin_prefetch(&ports_[v]);
     __builtin_prefetch(&x_[v], 1);
   }
-  [[gnu::always_inline]] void prefetch_neighbours(Place v) const { __builtin_prefetch(&ports_[v]); }
-  [[gnu::always_inline]] void prefetch_partner(Place v) const {
-    if (neighbour(v, 2) != kNoPlace) __builtin_prefetch(&x_[neighbour(v, 2)]);
+  [[gnu::always_inline]] void prefetch_neighbours(Index v) const { __builtin_prefetch(&ports_[v]); }
+  [[gnu::always_inline]] void prefetch_partner(Index v) const {
+    if (neighbour(v, 2) != kNoIndex) __builtin_prefetch(&x_[neighbour(v, 2)]);
   }
 
   /// The lowest free height >= from, and the lowest one whose successor is free, too.
@@ -93,11 +93,11 @@ class HeightPool {
 };
 
 /// Numbers a path of colours 0 and 1 upwards from the end given.
-void number_path(HeightPool& pool, Place end);
+void number_path(HeightPool& pool, Index end);
 
 /// Numbers a cycle of colours 0 and 1 upwards along both of its sides at once, so that the sides
 /// meet at about the same height. `buffer` is scratch.
-void number_cycle(HeightPool& pool, Place start, std::vector<Place>& buffer);
+void number_cycle(HeightPool& pool, Index start, std::vector<Index>& buffer);
 
 /// The slot kept for a defect (x: label_x, y: 2): heights low and low + 1 of colour 1 - label_x.
 struct HeightSlot {
@@ -112,14 +112,14 @@ struct HeightSlot {
 /// one above the other; the rest grow side by side, so that their ends come last.
 class DefectPaths {
  public:
-  /// @param paths_of  scratch for all places, kNoPath everywhere; used while this lives.
+  /// @param paths_of  scratch for all indices, kNoPath everywhere; used while this lives.
   DefectPaths(HeightPool& pool, std::span<const ColourDefect> defects,
               std::vector<std::uint32_t>& path_of);
   ~DefectPaths();
   DefectPaths(const DefectPaths&) = delete;
   DefectPaths& operator=(const DefectPaths&) = delete;
 
-  bool contains(Place v) const { return path_of_[v] != kNoPath; }
+  bool contains(Index v) const { return path_of_[v] != kNoPath; }
   /// To be called when all other chains have numbers.
   /// @return some defects of those that ask for x above y in a circle; none if all is well.
   std::vector<std::size_t> number_all();
@@ -136,7 +136,7 @@ class DefectPaths {
   /// Joint i stands before vertices[i], the last joint after the last vertex. The first vertex is
   /// an x; the last may be one.
   struct Path {
-    std::vector<Place> vertices;
+    std::vector<Index> vertices;
     Colour first_colour = 0;  // of joint 0
     bool both_ends = false;
     bool grown = false;
@@ -156,8 +156,8 @@ class DefectPaths {
     }
   };
 
-  bool is_x(Place v) const { return !defects_at(v).empty(); }
-  std::span<const std::size_t> defects_at(Place x) const;
+  bool is_x(Index v) const { return !defects_at(v).empty(); }
+  std::span<const std::size_t> defects_at(Index x) const;
   std::vector<std::size_t> blocked();
   void collect(std::span<const ColourDefect> defects);
   void add(Path path);
@@ -169,11 +169,11 @@ class DefectPaths {
   void set_joint(Path& path, std::size_t joint, std::int64_t h);
   bool finish_ends(std::uint32_t path, int depth);
   bool finish_end(std::uint32_t path, unsigned side, int depth);
-  bool number_lower_ends(std::span<const Place> xs, int depth);
-  void place(std::span<const Place> xs);
-  void place_colour(std::span<const Place> xs, Place x, Colour c);
+  bool number_lower_ends(std::span<const Index> xs, int depth);
+  void place(std::span<const Index> xs);
+  void place_colour(std::span<const Index> xs, Index x, Colour c);
   void keep_slot(std::size_t defect);
-  std::int64_t least_height(Place x, Colour c) const;
+  std::int64_t least_height(Index x, Colour c) const;
 
   HeightPool& pool_;
   const std::int64_t height_limit_;
@@ -237,16 +237,16 @@ class Relabelling {
   };
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-  Place place_of(const DefectEnd& end) const;
+  Index index_of(const DefectEnd& end) const;
   Colour& label_of(const DefectEnd& end);
   /// The end of a defect, if any, where the chain from `end` ends that swaps its label with
   /// `wanted`.
   DefectEnd other_end(const DefectEnd& end, Colour wanted);
-  DefectEnd find(Place v, Colour label);
+  DefectEnd find(Index v, Colour label);
   bool makes_labels_0_1(const DefectEnd& end, Colour wanted);
   bool swap_or_split(std::size_t defect);
   bool split(const DefectEnd& end);
-  EdgeId edge_between(Place v, Place other) const;
+  EdgeId edge_between(Index v, Index other) const;
   void swap_chain(const DefectEnd& end, Colour wanted);
   void settle(std::size_t defect);
 
@@ -255,7 +255,7 @@ class Relabelling {
   std::vector<ColourDefect>& defects_;
   const std::int64_t most_steps_;
   std::int64_t steps_ = 0;
-  std::unordered_multimap<Place, std::size_t> by_place_;  // may name defects that have moved away
+  std::unordered_multimap<Index, std::size_t> by_index_;  // may name defects that have moved away
 };
 
 /// Steps 3.9 to 3.13: numbers the components that can have flat numbers.

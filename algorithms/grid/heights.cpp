@@ -34,27 +34,27 @@ class GrowingChain {
   }
 
   /// The lowest free height from the last link on that suits v.
-  /// `closing`, if not kNoPlace, is the last vertex of a cycle, between the new link and `end`.
-  ChainLink after(Place v, const ChainLink& from, Place closing, const ChainLink& end) {
+  /// `closing`, if not kNoIndex, is the last vertex of a cycle, between the new link and `end`.
+  ChainLink after(Index v, const ChainLink& from, Index closing, const ChainLink& end) {
     ChainLink link{1 - from.colour, 0};
     for (std::int64_t h = std::max(from.height - 1, floor_);; ++h) {
       h = pool_.next_free(link.colour, h);
       link.height = h;
       const std::int64_t pair = pair_sum(from, link);
       if (!pool_.is_far_from_partner(v, pair)) continue;
-      if (closing != kNoPlace && !suits_closing(v, pair, closing, pair_sum(link, end))) continue;
+      if (closing != kNoIndex && !suits_closing(v, pair, closing, pair_sum(link, end))) continue;
       pool_.take_and_advance(link.colour, h);
       settle(v, from, link);
       return link;
     }
   }
 
-  void settle(Place v, const ChainLink& a, const ChainLink& b) {
+  void settle(Index v, const ChainLink& a, const ChainLink& b) {
     for (const ChainLink& link : {a, b}) pool_.set_height(v, link.colour, link.height);
   }
 
  private:
-  bool suits_closing(Place v, std::int64_t pair, Place closing, std::int64_t closing_pair) const {
+  bool suits_closing(Index v, std::int64_t pair, Index closing, std::int64_t closing_pair) const {
     if (!pool_.is_far_from_partner(closing, closing_pair)) return false;
     return pool_.neighbour(closing, 2) != v || std::abs(closing_pair - pair) >= 2;
   }
@@ -77,15 +77,15 @@ void HeightPool::take_and_advance(Colour c, std::int64_t h) {
   frontier_ = std::max(frontier_, h);
 }
 
-bool HeightPool::suits(Place v, Colour c, std::int64_t h) const {
+bool HeightPool::suits(Index v, Colour c, std::int64_t h) const {
   if (!has_height(v, 1 - c)) return true;
   const std::int64_t other = height(v, 1 - c);
   return is_far_from_partner(v, c == 0 ? h - other : other - h);
 }
 
-bool HeightPool::is_far_from_partner(Place v, std::int64_t pair) const {
-  const Place partner = neighbour(v, 2);
-  if (partner == kNoPlace || !is_numbered(partner)) return true;
+bool HeightPool::is_far_from_partner(Index v, std::int64_t pair) const {
+  const Index partner = neighbour(v, 2);
+  if (partner == kNoIndex || !is_numbered(partner)) return true;
   return std::abs(pair - (height(partner, 0) - height(partner, 1))) >= 2;
 }
 
@@ -94,21 +94,21 @@ std::int64_t HeightPool::chain_start(Colour c) {
   return next_free(c, frontier_ - kBack);
 }
 
-void number_path(HeightPool& pool, Place end) {
+void number_path(HeightPool& pool, Index end) {
   GrowingChain chain(pool);
-  const Colour towards = pool.neighbour(end, 0) != kNoPlace ? 0 : 1;
+  const Colour towards = pool.neighbour(end, 0) != kNoIndex ? 0 : 1;
   ChainLink link = chain.first(1 - towards);
-  for (Place v = end; v != kNoPlace;) {
-    const ChainLink next = chain.after(v, link, kNoPlace, {});
+  for (Index v = end; v != kNoIndex;) {
+    const ChainLink next = chain.after(v, link, kNoIndex, {});
     v = pool.neighbour(v, next.colour);
     link = next;
   }
 }
 
-void number_cycle(HeightPool& pool, Place start, std::vector<Place>& buffer) {
+void number_cycle(HeightPool& pool, Index start, std::vector<Index>& buffer) {
   buffer.clear();
   Colour c = 0;
-  for (Place v = start; buffer.empty() || v != start; c = 1 - c) {
+  for (Index v = start; buffer.empty() || v != start; c = 1 - c) {
     buffer.push_back(v);
     v = pool.neighbour(v, c);
   }
@@ -128,8 +128,8 @@ void number_cycle(HeightPool& pool, Place start, std::vector<Place>& buffer) {
     prefetch_ahead(from_front);
     ChainLink& side = from_front ? low : high;
     const ChainLink& other = from_front ? high : low;
-    const Place v = from_front ? buffer[a++] : buffer[--b];
-    side = chain.after(v, side, b - a == 1 ? buffer[a] : kNoPlace, other);
+    const Index v = from_front ? buffer[a++] : buffer[--b];
+    side = chain.after(v, side, b - a == 1 ? buffer[a] : kNoIndex, other);
   }
   chain.settle(buffer[a], low, high);
 }

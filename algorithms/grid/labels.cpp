@@ -18,9 +18,9 @@ class CoreLabeller {
 
   EdgeLabels run() {
     for (const OrderPart& part : order_.parts) {
-      f_ = part.cubic ? part.begin : kNoPlace;
-      const Place ends = part.cubic ? 1 : 0;
-      for (Place v = part.begin + ends; v < part.end - ends; ++v) {
+      f_ = part.cubic ? part.begin : kNoIndex;
+      const Index ends = part.cubic ? 1 : 0;
+      for (Index v = part.begin + ends; v < part.end - ends; ++v) {
         prefetch_ahead(v);
         label_at(v);
       }
@@ -31,7 +31,7 @@ class CoreLabeller {
 
  private:
   /// The far ends of the edges that close cycles are nowhere near in memory.
-  void prefetch_ahead(Place v) const {
+  void prefetch_ahead(Index v) const {
     if (v + kAhead >= graph_.num_vertices()) return;
     for (const HalfEdge& half : graph_.incident(v + kAhead)) {
       labels_.prefetch(half.edge);
@@ -39,7 +39,7 @@ class CoreLabeller {
     }
   }
 
-  HalfEdgesAt look(Place v) const {
+  HalfEdgesAt look(Index v) const {
     HalfEdgesAt view;
     for (const HalfEdge& half : graph_.incident(v)) {
       const Colour there = labels_.at(half.edge, half.to, v);
@@ -54,7 +54,7 @@ class CoreLabeller {
     return view;
   }
 
-  void label_at(Place v) {
+  void label_at(Index v) {
     const HalfEdgesAt view = look(v);
     expect(view.backs <= 2, "every vertex but the last has a later neighbour");
     if (is_clash(view)) return label_clash(v, view);
@@ -69,14 +69,14 @@ class CoreLabeller {
   }
 
   /// Makes the edge a U-edge of the colour that its earlier end has chosen.
-  ColourSet join(Place v, const HalfEdge& half, Colour label) {
+  ColourSet join(Index v, const HalfEdge& half, Colour label) {
     labels_.set(half.edge, v, half.to, label);
     return only(label);
   }
 
   /// Two earlier neighbours chose lambda: which of them gets the U-edge is decided with the
   /// positions.
-  void label_clash(Place v, const HalfEdgesAt& view) {
+  void label_clash(Index v, const HalfEdgesAt& view) {
     if (view.forwards == 0) return;
     const Colour label = next(view.back_label[0]);
     labels_.set(view.forward[0].edge, v, view.forward[0].to, label);
@@ -84,7 +84,7 @@ class CoreLabeller {
   }
 
   /// A label of f that v and f can both use; so no neighbour of f is a clash vertex.
-  ColourSet label_f_edge(Place v, const HalfEdge& to_f, ColourSet used_at_v) {
+  ColourSet label_f_edge(Index v, const HalfEdge& to_f, ColourSet used_at_v) {
     const ColourSet allowed = kAllColours & ~used_at_v & ~labels_at_f();
     expect(allowed != 0, "f and its neighbour share a free label");
     const Colour label = first_of(allowed);
@@ -102,7 +102,7 @@ class CoreLabeller {
     return used;
   }
 
-  void label_forward(Place v, const HalfEdgesAt& view, ColourSet free) {
+  void label_forward(Index v, const HalfEdgesAt& view, ColourSet free) {
     for (unsigned i = 0; i < view.forwards; ++i) {
       const HalfEdge& half = view.forward[i];
       const Colour label = view.forward_label(i, free, received_);
@@ -114,7 +114,7 @@ class CoreLabeller {
 
   /// r: an ordinary or clash vertex with back edges to its two neighbours other than f; then the
   /// edge fr gets the remaining labels phi at f and psi at r.
-  void label_last(Place r) {
+  void label_last(Index r) {
     const HalfEdgesAt view = look(r);
     expect(view.backs == 2 && view.to_f != nullptr, "r comes last and is a neighbour of f");
     ColourSet used = 0;
@@ -132,7 +132,7 @@ class CoreLabeller {
   const ProcessingOrder& order_;
   EdgeLabels labels_;
   std::vector<std::uint8_t> received_;  // labels of the half-edges that earlier vertices sent here
-  Place f_ = kNoPlace;                  // of the current component, if cubic
+  Index f_ = kNoIndex;                  // of the current component, if cubic
 };
 
 }  // namespace

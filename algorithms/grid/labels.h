@@ -81,7 +81,7 @@ struct HalfEdgesAt {
 };
 
 /// Step 3.2: the labels that need no positions, in processing order, lazily for f. What the core
-/// needs; vertices are places.
+/// needs; vertices are indices.
 /// Invariant: labels at a vertex differ. An edge whose two labels are equal is a U-edge; the edge
 /// fr of a cubic component may have two different labels (a defect). Otherwise only a clash vertex
 /// v has edges whose label at v is open: two edges to earlier w, w' with the same label lambda

@@ -95,7 +95,7 @@ class BreadthFirst {
     std::reverse(order_.sequence.begin() + static_cast<std::ptrdiff_t>(reversed_from),
                  order_.sequence.end());
     order_.parts.push_back(
-        {static_cast<Place>(begin), static_cast<Place>(order_.sequence.size()), cubic});
+        {static_cast<Index>(begin), static_cast<Index>(order_.sequence.size()), cubic});
   }
 
   const Graph& graph_;
@@ -108,17 +108,17 @@ class BreadthFirst {
 ProcessingOrder processing_order(const Graph& graph) { return BreadthFirst(graph).run(); }
 
 // The graph renumbered in processing order, before Step 3.9: all later stages read it forwards.
-// Entries are asked for 8 and 16 places ahead of use, since the far ends of edges are cache
+// Entries are asked for 8 and 16 indices ahead of use, since the far ends of edges are cache
 // misses. O(n + m).
 
 UnwrittenVector<PlacedRow> neighbours_in_order(const Graph& graph, const ProcessingOrder& order) {
-  UnwrittenVector<Place> place_of(graph.num_vertices());
-  for (Place i = 0; i < order.sequence.size(); ++i) place_of[order.sequence[i]] = i;
+  UnwrittenVector<Index> index_of(graph.num_vertices());
+  for (Index i = 0; i < order.sequence.size(); ++i) index_of[order.sequence[i]] = i;
   UnwrittenVector<PlacedRow> neighbours(order.sequence.size(), PlacedRow{});
-  for (Place i = 0; i < neighbours.size(); ++i) {
+  for (Index i = 0; i < neighbours.size(); ++i) {
     if (i + kAhead < neighbours.size()) {
       for (const HalfEdge& half : graph.incident(order.sequence[i + kAhead])) {
-        __builtin_prefetch(&place_of[half.to]);
+        __builtin_prefetch(&index_of[half.to]);
       }
     }
     if (i + 2 * kAhead < neighbours.size()) {
@@ -126,18 +126,18 @@ UnwrittenVector<PlacedRow> neighbours_in_order(const Graph& graph, const Process
     }
     PlacedRow& own = neighbours[i];
     for (const HalfEdge& half : graph.incident(order.sequence[i])) {
-      own.half[own.degree++] = {place_of[half.to], half.edge};
+      own.half[own.degree++] = {index_of[half.to], half.edge};
     }
   }
   return neighbours;
 }
 
-// The graph renamed by places, before Steps 3.2 to 3.5. In a breadth-first order the two ends of a
+// The graph renamed by indices, before Steps 3.2 to 3.5. In a breadth-first order the two ends of a
 // tree edge are read in two streams, so only the edges that close cycles miss the cache. O(n + m).
 
 PlacedGraph::PlacedGraph(UnwrittenVector<PlacedRow> neighbours) : rows_(std::move(neighbours)) {
   edge_of_.reserve(rows_.size() * 3 / 2);
-  for (Place v = 0; v < rows_.size(); ++v) {
+  for (Index v = 0; v < rows_.size(); ++v) {
     if (v + kAhead < rows_.size()) {
       for (const HalfEdge& half : rows_[v + kAhead].halves()) __builtin_prefetch(&rows_[half.to]);
     }

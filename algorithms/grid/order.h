@@ -11,15 +11,15 @@
 
 namespace ar3d::grid {
 
-/// A vertex's place in the processing order: its index in ProcessingOrder::sequence.
-using Place = std::uint32_t;
-inline constexpr Place kAhead = 8;  ///< places between asking for memory and using it
-inline constexpr Place kNoPlace = std::numeric_limits<Place>::max();
+/// A vertex's index in the processing order (ProcessingOrder::sequence).
+using Index = std::uint32_t;
+inline constexpr Index kAhead = 8;  ///< indices between asking for memory and using it
+inline constexpr Index kNoIndex = std::numeric_limits<Index>::max();
 
-/// One component's places [begin, end) in the processing order.
+/// One component's indices [begin, end) in the processing order.
 struct OrderPart {
-  Place begin = 0;
-  Place end = 0;
+  Index begin = 0;
+  Index end = 0;
   bool cubic = false;  ///< every degree is 3; then sequence[begin] = f and sequence[end - 1] = r
   std::int64_t size() const { return std::int64_t{end} - begin; }
 };
@@ -37,7 +37,7 @@ struct ProcessingOrder {
 /// Step 3.1: reverse breadth-first orders. Cost: O(n + m).
 ProcessingOrder processing_order(const Graph& graph);
 
-/// The half-edges at one vertex, in the order of the graph's row; neighbours are places.
+/// The half-edges at one vertex, in the order of the graph's row; neighbours are indices.
 struct alignas(32) PlacedRow {
   std::array<HalfEdge, 3> half{};
   std::uint32_t degree = 0;
@@ -45,19 +45,19 @@ struct alignas(32) PlacedRow {
 };
 
 /// The graph renumbered in processing order, so that later stages read memory forwards and
-/// "earlier" is a comparison of places. Cost: O(n + m).
+/// "earlier" is a comparison of indices. Cost: O(n + m).
 UnwrittenVector<PlacedRow> neighbours_in_order(const Graph& graph, const ProcessingOrder& order);
 
-/// The graph with every vertex renamed to its place and the edges numbered by their earlier places:
+/// The graph with every vertex renamed to its index and the edges numbered by their earlier indices:
 /// what is near in the order is near in memory. Rows keep the order of the graph's.
 class PlacedGraph {
  public:
   /// Cost: O(n + m).
   explicit PlacedGraph(UnwrittenVector<PlacedRow> neighbours);
 
-  Place num_vertices() const { return static_cast<Place>(rows_.size()); }
+  Index num_vertices() const { return static_cast<Index>(rows_.size()); }
   EdgeId num_edges() const { return static_cast<EdgeId>(edge_of_.size()); }
-  std::span<const HalfEdge> incident(Place v) const { return rows_[v].halves(); }
+  std::span<const HalfEdge> incident(Index v) const { return rows_[v].halves(); }
   /// The graph's number of edge e.
   EdgeId edge_of(EdgeId e) const { return edge_of_[e]; }
 

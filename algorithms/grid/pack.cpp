@@ -34,7 +34,7 @@ class Packer {
 
   void run() {
     for (std::size_t i = 0; i < order_.parts.size(); ++i) parcels_.push_back(measure(i));
-    const std::vector<Point> at = places();
+    const std::vector<Point> at = positions();
     for (std::size_t i = 0; i < parcels_.size(); ++i) {
       const Point low = parcels_[i].low;
       move(i, {at[i].x - low.x, at[i].y - low.y, at[i].z - low.z});
@@ -82,7 +82,7 @@ class Packer {
   }
 
   /// Rows along y, rows side by side along z, layers of rows along x.
-  std::vector<Point> places() const {
+  std::vector<Point> positions() const {
     std::vector<std::size_t> sorted(parcels_.size());
     std::iota(sorted.begin(), sorted.end(), std::size_t{0});
     std::ranges::stable_sort(sorted, [&](std::size_t i, std::size_t j) {

@@ -1,5 +1,5 @@
 // Steps 3.3 to 3.5: the core's numbers, vertex by vertex in processing order. Ordinary vertices are
-// here, clashes in placement_clash.cpp, the edge set aside in placement_aside.cpp. Random places in
+// here, clashes in placement_clash.cpp, the edge set aside in placement_aside.cpp. Random numbers in
 // the window come first, since near numbers make small drawings; Lemma 3.4 says why a number is
 // always found. Cost: O(log n) expected per number.
 #include "ar3d/algorithms/grid/placement.h"
@@ -40,7 +40,7 @@ bool Placement::place_all() {
 void Placement::undo() {
   planes_.counts = counts_before_;
   planes_.slots.resize(slots_before_);
-  for (Place v = part_.begin; v < part_.end; ++v) {
+  for (Index v = part_.begin; v < part_.end; ++v) {
     planes_.of[v] = kUnsetNumbers;
   }
   for (const auto& [v, half] : clash_edges_) planes_.labels.set(half.edge, v, half.to, kNoColour);
@@ -51,8 +51,8 @@ bool Placement::place_vertices() {
     set_aside();
     place_f();
   }
-  const Place ends = part_.cubic ? 1 : 0;
-  for (Place v = part_.begin + ends; v < part_.end - ends; ++v) {
+  const Index ends = part_.cubic ? 1 : 0;
+  for (Index v = part_.begin + ends; v < part_.end - ends; ++v) {
     prefetch_ahead(v);
     const Site site = look(v);
     const bool is_x_m = site.next_to_f && aside_.is_defect() && site.label_to_f == aside_.m;
@@ -65,7 +65,7 @@ bool Placement::place_vertices() {
 }
 
 /// The far ends of the edges that close cycles are nowhere near in memory.
-void Placement::prefetch_ahead(Place v) const {
+void Placement::prefetch_ahead(Index v) const {
   if (v + kAhead >= part_.end) return;
   for (const HalfEdge& half : graph_.incident(v + kAhead)) {
     planes_.labels.prefetch(half.edge);

@@ -87,7 +87,7 @@ class Placement {
   /// Ordinary numbers of this component must stay inside the zone, since f will stand outside it.
   bool zoned() const { return part_.cubic && aside_.is_defect(); }
   bool place_vertices();
-  void prefetch_ahead(Place v) const;
+  void prefetch_ahead(Index v) const;
   void undo();
   Site look(Vertex v) const;
   bool is_placed(Vertex v) const;

@@ -25,16 +25,16 @@ void number_by_core(const PlacedGraph& graph, const OrderPart& part, Planes& pla
     zone = std::min(2 * zone, proof.largest_zone());
     ++planes.counts.restarts;
   }
-  for (Place v = part.begin; v < part.end; ++v) {
+  for (Index v = part.begin; v < part.end; ++v) {
     expect(all_within(proved_plane_bound(proof.n), planes.of[v]),
            "plane numbers keep the size proof's bound");
   }
 }
 
-/// Copies one component's numbers and labels from places to vertices.
+/// Copies one component's numbers and labels from indices to vertices.
 void adopt_core(const ProcessingOrder& order, const PlacedGraph& graph, const OrderPart& part,
                 const Planes& core, Planes& planes) {
-  for (Place i = part.begin; i < part.end; ++i) {
+  for (Index i = part.begin; i < part.end; ++i) {
     if (i + kAhead < part.end) {
       __builtin_prefetch(&planes.of[order.sequence[i + kAhead]], 1);
       for (const HalfEdge& half : graph.incident(i + kAhead)) {
@@ -49,7 +49,7 @@ void adopt_core(const ProcessingOrder& order, const PlacedGraph& graph, const Or
   }
 }
 
-/// Numbers the components in the graph renamed by places.
+/// Numbers the components in the graph renamed by indices.
 void number_by_core(const Graph& graph, const ProcessingOrder& order,
                     std::span<const OrderPart> parts, Planes& planes) {
   const PlacedGraph placed(neighbours_in_order(graph, order));

@@ -22,10 +22,10 @@ Relabelling::Relabelling(std::span<const PlacedRow> neighbours, std::span<Ports>
       most_steps_(static_cast<std::int64_t>(kStepsPerVertex) * n + 1000) {
   for (std::size_t d = 0; d < defects_.size(); ++d) {
     const ColourDefect& defect = defects_[d];
-    ports_[defect.x].to[defect.label_x] = kNoPlace;
-    ports_[defect.y].to[defect.label_y] = kNoPlace;
-    by_place_.emplace(defect.x, d);
-    by_place_.emplace(defect.y, d);
+    ports_[defect.x].to[defect.label_x] = kNoIndex;
+    ports_[defect.y].to[defect.label_y] = kNoIndex;
+    by_index_.emplace(defect.x, d);
+    by_index_.emplace(defect.y, d);
   }
 }
 
@@ -34,7 +34,7 @@ bool Relabelling::avoid_labels_0_1() {
   for (std::size_t d = 0; d < defects_.size(); ++d) {
     if (exhausted()) return false;
     if (!has_labels_0_1(defects_[d]) || swap_or_split(d)) continue;
-    bool at_x = ports_[defects_[d].x].to[defects_[d].label_y] != kNoPlace;
+    bool at_x = ports_[defects_[d].x].to[defects_[d].label_y] != kNoIndex;
     for (int i = 0;; ++i, at_x = !at_x) {
       if (i == kSlides || !slide(d, at_x)) return false;
       if (swap_or_split(d)) break;
@@ -54,36 +54,36 @@ bool Relabelling::swap_or_split(std::size_t d) {
 
 bool Relabelling::slide(std::size_t d, bool at_x) {
   ColourDefect& defect = defects_[d];
-  const Place v = at_x ? defect.x : defect.y;
+  const Index v = at_x ? defect.x : defect.y;
   const Colour label = at_x ? defect.label_y : defect.label_x;
-  const Place other = ports_[v].to[label];
-  if (other == kNoPlace) return false;
-  ports_[v].to[label] = kNoPlace;
-  ports_[other].to[label] = kNoPlace;
+  const Index other = ports_[v].to[label];
+  if (other == kNoIndex) return false;
+  ports_[v].to[label] = kNoIndex;
+  ports_[other].to[label] = kNoIndex;
   ports_[defect.x].to[label] = defect.y;
   ports_[defect.y].to[label] = defect.x;
   (at_x ? defect.y : defect.x) = other;
-  by_place_.emplace(other, d);
+  by_index_.emplace(other, d);
   defect.edge = edge_between(v, other);
   return true;
 }
 
 /// Swaps the end's label with its vertex's label 2, whose edge becomes a defect, too.
 bool Relabelling::split(const DefectEnd& end) {
-  const Place v = place_of(end);
-  const Place other = ports_[v].to[2];
-  if (other == kNoPlace) return false;
+  const Index v = index_of(end);
+  const Index other = ports_[v].to[2];
+  if (other == kNoIndex) return false;
   const Colour label = std::exchange(label_of(end), 2);
-  ports_[v].to[2] = kNoPlace;
-  ports_[other].to[2] = kNoPlace;
+  ports_[v].to[2] = kNoIndex;
+  ports_[other].to[2] = kNoIndex;
   settle(end.defect);
-  by_place_.emplace(v, defects_.size());
-  by_place_.emplace(other, defects_.size());
+  by_index_.emplace(v, defects_.size());
+  by_index_.emplace(other, defects_.size());
   defects_.push_back({v, other, edge_between(v, other), label, 2});
   return true;
 }
 
-EdgeId Relabelling::edge_between(Place v, Place other) const {
+EdgeId Relabelling::edge_between(Index v, Index other) const {
   unsigned i = 0;
   while (neighbours_[v].half[i].to != other) ++i;
   return neighbours_[v].half[i].edge;
@@ -99,7 +99,7 @@ void Relabelling::drop_healed() {
   std::erase_if(defects_, [](const ColourDefect& d) { return d.label_x == d.label_y; });
 }
 
-Place Relabelling::place_of(const DefectEnd& end) const {
+Index Relabelling::index_of(const DefectEnd& end) const {
   return end.is_x ? defects_[end.defect].x : defects_[end.defect].y;
 }
 
@@ -107,8 +107,8 @@ Colour& Relabelling::label_of(const DefectEnd& end) {
   return end.is_x ? defects_[end.defect].label_x : defects_[end.defect].label_y;
 }
 
-Relabelling::DefectEnd Relabelling::find(Place v, Colour label) {
-  const auto [begin, end] = by_place_.equal_range(v);
+Relabelling::DefectEnd Relabelling::find(Index v, Colour label) {
+  const auto [begin, end] = by_index_.equal_range(v);
   for (auto at = begin; at != end; ++at) {
     ++steps_;
     const std::size_t d = at->second;
@@ -124,8 +124,8 @@ Relabelling::DefectEnd Relabelling::other_end(const DefectEnd& end, Colour wante
   const ColourDefect& defect = defects_[end.defect];
   const Colour given = end.is_x ? defect.label_x : defect.label_y;
   Colour follow = wanted;
-  Place at = place_of(end);
-  for (Place to = ports_[at].to[follow]; to != kNoPlace; to = ports_[at].to[follow]) {
+  Index at = index_of(end);
+  for (Index to = ports_[at].to[follow]; to != kNoIndex; to = ports_[at].to[follow]) {
     ++steps_;
     at = to;
     follow = follow == wanted ? given : wanted;
@@ -147,10 +147,10 @@ void Relabelling::swap_chain(const DefectEnd& end, Colour wanted) {
   const Colour given = label_of(end);
   const DefectEnd last = other_end(end, wanted);
   Colour follow = wanted;
-  for (Place at = place_of(end); at != kNoPlace;) {
+  for (Index at = index_of(end); at != kNoIndex;) {
     Ports& ports = ports_[at];
     ++steps_;
-    const Place to = ports.to[follow];
+    const Index to = ports.to[follow];
     std::swap(ports.to[given], ports.to[wanted]);
     follow = follow == wanted ? given : wanted;
     at = to;

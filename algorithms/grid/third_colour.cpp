@@ -37,7 +37,7 @@ class ThirdColour {
   std::vector<std::size_t> run() {
     for (std::size_t d = 0; d < defects_.size(); ++d) by_y_.emplace_back(defects_[d].y, d);
     std::ranges::sort(by_y_);
-    for (Place v = part_.begin; v < part_.end; ++v) {
+    for (Index v = part_.begin; v < part_.end; ++v) {
       prefetch_ahead(v);
       if (x_[v][2] == kUnsetNumber && find_defect(v) == kNone) number(v);
     }
@@ -55,41 +55,41 @@ class ThirdColour {
   std::int64_t reach() const { return 10 * part_.size() + 36; }
 
   /// Memory that number() reads for the vertices that come next, on its way.
-  [[gnu::always_inline]] void prefetch_ahead(Place v) const {
-    const auto ask = [&](Place w) __attribute__((always_inline)) {
-      for (const Place to : ports_[w].to) {
-        if (to != kNoPlace) __builtin_prefetch(&x_[to]);
+  [[gnu::always_inline]] void prefetch_ahead(Index v) const {
+    const auto ask = [&](Index w) __attribute__((always_inline)) {
+      for (const Index to : ports_[w].to) {
+        if (to != kNoIndex) __builtin_prefetch(&x_[to]);
       }
     };
-    const Place near = v + kAhead;
+    const Index near = v + kAhead;
     if (near < part_.end && x_[near][2] == kUnsetNumber) {
-      const Place partner = ports_[near].to[2];
-      if (partner != kNoPlace) ask(partner);
+      const Index partner = ports_[near].to[2];
+      if (partner != kNoIndex) ask(partner);
     }
-    const Place far = v + 2 * kAhead;
+    const Index far = v + 2 * kAhead;
     if (far < part_.end) {
       ask(far);
-      const Place partner = ports_[far].to[2];
-      if (partner != kNoPlace) __builtin_prefetch(&ports_[partner]);
+      const Index partner = ports_[far].to[2];
+      if (partner != kNoIndex) __builtin_prefetch(&ports_[partner]);
     }
   }
 
   /// The defect whose y is v.
-  std::size_t find_defect(Place v) const {
+  std::size_t find_defect(Index v) const {
     const auto at =
         std::ranges::lower_bound(by_y_, v, {}, [](const auto& pair) { return pair.first; });
     return at != by_y_.end() && at->first == v ? at->second : kNone;
   }
 
-  void number(Place v) {
-    const Place partner = ports_[v].to[2];
+  void number(Index v) {
+    const Index partner = ports_[v].to[2];
     std::array<SumRule, 2> rules{rule_of(v), {}};
-    if (partner != kNoPlace) rules[1] = rule_of(partner);
+    if (partner != kNoIndex) rules[1] = rule_of(partner);
     const std::int64_t low = highest_ - kBack;
-    const auto found = search_.find_up(taken_, {rules.data(), partner != kNoPlace ? 2u : 1u},
+    const auto found = search_.find_up(taken_, {rules.data(), partner != kNoIndex ? 2u : 1u},
                                        {low, low + reach()});
     settle(v, found.value());
-    if (partner != kNoPlace) settle(partner, *found);
+    if (partner != kNoIndex) settle(partner, *found);
     take(*found);
   }
 
@@ -129,17 +129,17 @@ class ThirdColour {
     lowest_ = std::min(lowest_, number);
   }
 
-  void settle(Place v, std::int64_t number) {
+  void settle(Index v, std::int64_t number) {
     x_[v][2] = narrow(number);
     expect(sums_.insert(sum_of(x_[v])), "sums are distinct (I1)");
   }
 
-  SumRule rule_of(Place v) const {
+  SumRule rule_of(Index v) const {
     SumRule rule;
     rule.known = std::int64_t{x_[v][0]} + x_[v][1];
     for (const Colour c : {0u, 1u}) {
-      const Place w = ports_[v].to[c];
-      if (w != kNoPlace && x_[w][2] != kUnsetNumber) rule.join(sum_of(x_[w]));
+      const Index w = ports_[v].to[c];
+      if (w != kNoIndex && x_[w][2] != kUnsetNumber) rule.join(sum_of(x_[w]));
     }
     return rule;
   }
@@ -156,7 +156,7 @@ class ThirdColour {
   const std::int64_t limit_;
   std::int64_t highest_;
   std::int64_t lowest_;
-  std::vector<std::pair<Place, std::size_t>> by_y_;
+  std::vector<std::pair<Index, std::size_t>> by_y_;
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ class ClosureGrower {
         any_cycle_(any_cycle),
         gone_(graph.num_vertices()),
         degree_(graph.num_vertices()),
-        place_(graph.num_vertices(), kNowhere),
+        index_(graph.num_vertices(), kNowhere),
         search_(graph.num_vertices()) {
     for (Vertex v = 0; v < graph.num_vertices(); ++v) degree_[v] = graph.degree(v);
     if (repairs.random_cycles) random_.emplace(*repairs.random_cycles);
@@ -134,15 +134,15 @@ class ClosureGrower {
       for (const auto [w, edge] : graph_.incident(v)) {
         if (gone_[w] || (!walk.empty() && w == walk.back())) continue;
         ahead.push_back(w);
-        if (place_[w] != kNowhere) latest = std::max<std::int64_t>(latest, place_[w]);
+        if (index_[w] != kNowhere) latest = std::max<std::int64_t>(latest, index_[w]);
       }
       expect(!ahead.empty(), "every vertex outside has two neighbours there");
-      place_[v] = static_cast<std::uint32_t>(walk.size());
+      index_[v] = static_cast<std::uint32_t>(walk.size());
       walk.push_back(v);
       if (latest >= 0) cycle.assign(walk.begin() + latest, walk.end());
       v = ahead[random_ ? random_below(ahead.size()) : 0];
     }
-    for (const Vertex w : walk) place_[w] = kNowhere;
+    for (const Vertex w : walk) index_[w] = kNowhere;
     return cycle;
   }
   std::size_t random_below(std::size_t count) {
@@ -157,7 +157,7 @@ class ClosureGrower {
   std::deque<Vertex> queue_;           // of the closure
   std::size_t first_ = 0;              // all before it in the component are gone
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates_;
-  std::vector<std::uint32_t> place_;  // on a walk; kNowhere between walks
+  std::vector<std::uint32_t> index_;  // on a walk; kNowhere between walks
   ShortestCycleSearch search_;
 };
 

@@ -61,12 +61,12 @@ void relax_merge(const View& view, Values& values, NodeId m) {
 
 }  // namespace
 
-Values list_places(const View& view, const LongVector<NodeId>& list) {
-  Values places(view.size(), 0);
+Values list_indices(const View& view, const LongVector<NodeId>& list) {
+  Values indices(view.size(), 0);
   std::int32_t count = 0;
-  for (const NodeId v : list) places[v] = count++;
-  copy_to_sharers(view, places);
-  return places;
+  for (const NodeId v : list) indices[v] = count++;
+  copy_to_sharers(view, indices);
+  return indices;
 }
 
 Values number_list(const View& view, const LongVector<NodeId>& list, const Spacing& spacing,
@@ -115,7 +115,7 @@ void choose_middle_values(const View& view, bool relaxes, Values& values) {
     view.ask_types(i - kAhead);
     relax_merge(view, values, view.at(i));
   }
-  for (NodeId i = 0; i < view.size(); ++i) {  // what lies below a free MERGE has its place
+  for (NodeId i = 0; i < view.size(); ++i) {  // what lies below a free MERGE has its index
     const NodeId m = view.at(i);
     view.ask(i + kAhead, values);
     view.ask_types(i + kAhead);

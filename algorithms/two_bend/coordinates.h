@@ -37,8 +37,8 @@ class Spacing {
 /// distance at least 1 from an owner, 2 from a MERGE and 3 from a STATION.
 using Values = LongVector<std::int32_t>;
 
-/// The place of every node's row in the list, 0 for nodes that have none.
-Values list_places(const View& view, const LongVector<NodeId>& list);
+/// The index of every node's row in the list, 0 for nodes that have none.
+Values list_indices(const View& view, const LongVector<NodeId>& list);
 
 /// Rule 2.5: numbers along the list; free MERGEs keep the number of their entry, if any.
 /// @param bound  becomes an upper bound of the largest number, added up over the entries: each

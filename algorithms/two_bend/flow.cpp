@@ -25,7 +25,7 @@ NodeType type_of(unsigned ins, unsigned outs) {
   return outs == 2 ? NodeType::split : NodeType::merge;
 }
 
-/// Works on places in the time order, so that memory is read in this order where the graph allows.
+/// Works on indices in the time order, so that memory is read in this order where the graph allows.
 class FlowBuilder {
  public:
   FlowBuilder(const LocalGraph& graph, const TimeOrder& order)
@@ -33,8 +33,8 @@ class FlowBuilder {
         order_(order.list),
         pass_(order_.size(), false),
         count_(static_cast<NodeId>(order_.size())) {
-    flow_.place.assign(graph.size(), 0);
-    for (std::uint32_t i = 0; i < order_.size(); ++i) flow_.place[order_[i]] = i;
+    flow_.index.assign(graph.size(), 0);
+    for (std::uint32_t i = 0; i < order_.size(); ++i) flow_.index[order_[i]] = i;
     flow_.joint = order.joint;
   }
 
@@ -55,38 +55,38 @@ class FlowBuilder {
     }
     find_poles(blocks);
     flow_.is_pass = std::move(pass_);
-    if (flow_.joint) release(flow_.place);
+    if (flow_.joint) release(flow_.index);
     return std::move(flow_);
   }
 
  private:
-  /// The steps upwards from the vertex at a place, at most three: a later neighbour's place and the
+  /// The steps upwards from the vertex at an index, at most three: a later neighbour's index and the
   /// edge to it.
   unsigned steps_up(std::uint32_t i, std::array<HalfEdge, 3>& steps) const {
     const Vertex v = order_[i];
     const NeighbourList& near = graph_.neighbours[v];
     unsigned count = 0;
     for (std::size_t k = 0; k < near.degree(); ++k) {
-      const std::uint32_t to = flow_.place[near.to[k]];
+      const std::uint32_t to = flow_.index[near.to[k]];
       if (to > i) steps[count++] = {to, graph_.edges[v][k]};
     }
     return count;
   }
 
-  /// Asks memory, in four steps, for what the places soon after i need.
+  /// Asks memory, in four steps, for what the indices soon after i need.
   [[gnu::always_inline]] void prefetch_node(std::uint32_t i) const {
     if (i + 4 * kAhead >= order_.size()) return;
     const Vertex far = order_[i + 4 * kAhead];
     prefetch(graph_.neighbours, far);
     prefetch(graph_.edges, far);
-    for (const Vertex u : graph_.neighbours[order_[i + 3 * kAhead]].to) prefetch(flow_.place, u);
+    for (const Vertex u : graph_.neighbours[order_[i + 3 * kAhead]].to) prefetch(flow_.index, u);
     if (!flow_.element.empty()) {
       for (const Vertex u : graph_.neighbours[order_[i + 2 * kAhead]].to) {
-        if (u != kNoVertex) prefetch(flow_.element, flow_.place[u]);
+        if (u != kNoVertex) prefetch(flow_.element, flow_.index[u]);
       }
     }
     for (const Vertex u : graph_.neighbours[order_[i + kAhead]].to) {
-      if (u != kNoVertex) prefetch(flow_.nodes, flow_.node_at(flow_.place[u]));
+      if (u != kNoVertex) prefetch(flow_.nodes, flow_.node_at(flow_.index[u]));
     }
   }
 
@@ -103,7 +103,7 @@ class FlowBuilder {
     count_ -= static_cast<NodeId>(std::count(pass_.begin(), pass_.end(), true));
   }
 
-  /// Calls `visit` for every PASS of the chain that begins at i and returns the place of the node
+  /// Calls `visit` for every PASS of the chain that begins at i and returns the index of the node
   /// above it.
   template <class Visit>
   std::uint32_t climb(std::uint32_t i, Visit visit) const {
@@ -130,17 +130,17 @@ class FlowBuilder {
 
   void number_nodes() {
     flow_.nodes.resize(count_);
-    if (count_ == order_.size()) return;  // every place has the number of its node
+    if (count_ == order_.size()) return;  // every index has the number of its node
     flow_.element.assign(order_.size(), kNone);
-    flow_.node_place.reserve(count_);
+    flow_.node_index.reserve(count_);
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
       if (pass_[i]) continue;
-      flow_.element[i] = static_cast<NodeId>(flow_.node_place.size());
-      flow_.node_place.push_back(i);
+      flow_.element[i] = static_cast<NodeId>(flow_.node_index.size());
+      flow_.node_index.push_back(i);
     }
   }
 
-  /// The outs of the node at place i; its ins are complete, because all earlier nodes are.
+  /// The outs of the node at index i; its ins are complete, because all earlier nodes are.
   void finish_node(std::uint32_t i) {
     std::array<HalfEdge, 3> steps;
     const unsigned outs = steps_up(i, steps);
@@ -187,14 +187,14 @@ class FlowBuilder {
     for (const Pole& pole : flow_.poles) {
       const Block& block = blocks.blocks[flow_.block[pole.node]];
       if (block.bridges > 0) {  // it has degree 3: no PASS
-        flow_.block_entry[flow_.block[pole.node]] = flow_.node_at(flow_.place[block.bridge_vertex]);
+        flow_.block_entry[flow_.block[pole.node]] = flow_.node_at(flow_.index[block.bridge_vertex]);
       }
     }
   }
 
   const LocalGraph& graph_;
   const LongVector<Vertex>& order_;
-  std::vector<bool> pass_;  // per place
+  std::vector<bool> pass_;  // per index
   NodeId count_;            // of nodes
   Flow flow_;
 };

@@ -76,11 +76,11 @@ struct Flow {
       roles;  ///< per node: bits of NodeRole in the row and in the column view
   std::array<LongVector<NodeId>, 2>
       row_owner;  ///< per node, in the row and in the column view: whose row it stands in
-  LongVector<std::uint32_t> place;  ///< per vertex, in the time order; empty if joint and long
+  LongVector<std::uint32_t> index;  ///< per vertex, in the time order; empty if joint and long
   LongVector<std::uint32_t>
-      element;  ///< per place: node, or long edge if is_pass; empty if no place is
-  LongVector<std::uint32_t> node_place;  ///< per node; empty if element is
-  std::vector<bool> is_pass;             ///< per place in the time order
+      element;  ///< per index: node, or long edge if is_pass; empty if no index is
+  LongVector<std::uint32_t> node_index;  ///< per node; empty if element is
+  std::vector<bool> is_pass;             ///< per index in the time order
   LongVector<BlockId> block;             ///< per node; empty if joint
   LongVector<NodeId>
       block_entry;  ///< per block of a pole: its only node at a bridge, kNone if none
@@ -89,7 +89,7 @@ struct Flow {
   LongVector<LongId> vv_edges;
   bool joint = false;
 
-  std::uint32_t place_of(NodeId v) const { return node_place.empty() ? v : node_place[v]; }
+  std::uint32_t index_of(NodeId v) const { return node_index.empty() ? v : node_index[v]; }
   NodeId node_at(std::uint32_t i) const { return element.empty() ? i : element[i]; }
   /// The number of a pole: they are in time order.
   std::size_t pole_of(NodeId v) const;

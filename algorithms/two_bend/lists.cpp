@@ -190,14 +190,14 @@ void separate_rows(Flow& flow, bool columns, const Values& cross, LongVector<Nod
   list = std::move(result);
 }
 
-/// A guess of the order of the view's rows before its list is built: the owners' places, and next
+/// A guess of the order of the view's rows before its list is built: the owners' indices, and next
 /// to them the MERGEs.
 Values guess_rows(const Flow& flow, bool columns) {
   const View view(flow, columns);
   const Attachment attachment = attach_merges(view);
   Values guess(view.size(), 0);
-  std::int32_t place = 0;
-  for (const NodeId owner : order_owners(view, attachment)) guess[owner] = place += 4;
+  std::int32_t index = 0;
+  for (const NodeId owner : order_owners(view, attachment)) guess[owner] = index += 4;
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId m = view.at(i);
     view.ask(i + kAhead, guess);
@@ -223,10 +223,10 @@ Lists build_lists(Flow& flow, bool share, const TreeWeights& weights) {
   if (share) share_rows(flow, columns_first, guess_rows(flow, !columns_first));
   LongVector<NodeId> first = build_view_list(flow, columns_first, weights[columns_first ? 1 : 0]);
   choose_outer_specials(flow, !columns_first, first);
-  if (share) share_rows(flow, !columns_first, list_places(View(flow, columns_first), first));
+  if (share) share_rows(flow, !columns_first, list_indices(View(flow, columns_first), first));
   LongVector<NodeId> second = build_view_list(flow, !columns_first, weights[columns_first ? 0 : 1]);
   if (share) {
-    separate_rows(flow, columns_first, list_places(View(flow, !columns_first), second), first);
+    separate_rows(flow, columns_first, list_indices(View(flow, !columns_first), second), first);
   }
   if (columns_first) std::swap(first, second);
   return {std::move(first), std::move(second)};

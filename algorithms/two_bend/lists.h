@@ -27,15 +27,15 @@ class EntryList {
   EntryList(std::size_t num_nodes, const LongVector<NodeId>& owners);
 
   NodeId first() const { return first_; }
-  /// All entries. Walks from several places at once, so that reads of memory overlap.
+  /// All entries. Walks from several indices at once, so that reads of memory overlap.
   LongVector<NodeId> in_order() const;
   bool contains(NodeId v) const { return links_[v].cluster != kNone; }
   /// Asks memory for an entry.
   [[gnu::always_inline]] void prefetch_entry(NodeId v) const { prefetch(links_, v); }
 
   bool before(NodeId u, NodeId v) const;
-  void insert_after(NodeId place, NodeId v);
-  void insert_before(NodeId place, NodeId v);  ///< never before the first entry
+  void insert_after(NodeId index, NodeId v);
+  void insert_before(NodeId index, NodeId v);  ///< never before the first entry
   void remove(NodeId v);                       ///< v is the only entry of its cluster
 
  private:

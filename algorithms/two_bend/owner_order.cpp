@@ -67,7 +67,7 @@ class Forest {
     weigh(weights);
   }
 
-  /// Every tree fills consecutive places of the order: in time order a root's places are found,
+  /// Every tree fills consecutive indices of the order: in time order a root's indices are found,
   /// then within a tree's those of its parts, which are later.
   LongVector<NodeId> emit() {
     for (const Pole& pole : view_.flow().poles) {
@@ -95,7 +95,7 @@ class Forest {
     NodeId parent = kNone;
     std::uint32_t weight = 0;
     std::uint32_t size = 0;       // owners of the tree
-    std::uint32_t begin = kNone;  // its first place in the order
+    std::uint32_t begin = kNone;  // its first index in the order
   };
   /// Trees hung on a node, as a linked list.
   struct Hanging {
@@ -197,7 +197,7 @@ class Forest {
 
   void place_node(NodeId v) { order_[end_++] = v; }
 
-  /// The next places for the whole tree of v, which grows to the right or to the left.
+  /// The next indices for the whole tree of v, which grows to the right or to the left.
   void place_tree(NodeId v, bool to_right) {
     trees_[v].begin = end_;
     grows_right_[v] = to_right;
@@ -218,7 +218,7 @@ class Forest {
     }
   }
 
-  /// [light ones] v [heavy] [hung trees] in the places of the tree of v, going away from its
+  /// [light ones] v [heavy] [hung trees] in the indices of the tree of v, going away from its
   /// parent.
   void place_parts(NodeId v) {
     const bool to_right = grows_right_[v];
@@ -246,7 +246,7 @@ class Forest {
   LongVector<Hanging> hanging_;    // per node; empty if no tree hangs
   std::vector<bool> grows_right_;  // per root of a tree
   LongVector<NodeId> order_;
-  std::uint32_t end_ = 0;  // of the places taken
+  std::uint32_t end_ = 0;  // of the indices taken
 };
 
 }  // namespace

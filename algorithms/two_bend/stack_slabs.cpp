@@ -10,7 +10,7 @@
 namespace ar3d::two_bend {
 namespace {
 
-/// Works on places in the time order.
+/// Works on indices in the time order.
 class Writer {
  public:
   Writer(const LocalGraph& graph, const LongVector<Vertex>& order, const Attempt& attempt,
@@ -43,7 +43,7 @@ class Writer {
       output_.set_vertex(graph_.name[order_[i]], point_at(i));
     }
     for (const QBody& body : bodies_) {
-      const std::uint32_t i = in_.flow.place[body.joint];
+      const std::uint32_t i = in_.flow.index[body.joint];
       draw_q_body(graph_, body, point_at(i), is_end(i), output_);
     }
     output_.end_component(top_);
@@ -57,8 +57,8 @@ class Writer {
     xy_[i] = {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
   }
 
-  NodeId node_at(std::uint32_t place) const { return in_.flow.node_at(place); }
-  std::uint32_t place_of(NodeId v) const { return in_.flow.place_of(v); }
+  NodeId node_at(std::uint32_t index) const { return in_.flow.node_at(index); }
+  std::uint32_t index_of(NodeId v) const { return in_.flow.index_of(v); }
   NodeType type(NodeId v) const { return in_.flow.types[0][v]; }
   Point point_at(std::uint32_t i) const { return {xy_[i][0] - left_, xy_[i][1] - front_, z_[i]}; }
 
@@ -67,7 +67,7 @@ class Writer {
 
   void mark_bodies() {
     has_body_.assign(z_.size(), false);
-    for (const QBody& body : bodies_) has_body_[in_.flow.place[body.joint]] = true;
+    for (const QBody& body : bodies_) has_body_[in_.flow.index[body.joint]] = true;
   }
 
   void count_passes() {
@@ -80,13 +80,13 @@ class Writer {
   void place_nodes() {
     on_bend_.assign(in_.flow.nodes.size(), false);
     for (NodeId v = 0; v < in_.flow.nodes.size(); ++v) {
-      xy_[place_of(v)] = {in_.layout.columns[v], in_.layout.rows[v]};
+      xy_[index_of(v)] = {in_.layout.columns[v], in_.layout.rows[v]};
     }
     for (std::size_t i = 0; i < in_.flow.poles.size(); ++i) {
       const NodeId v = in_.flow.poles[i].node;
       const PoleShape& shape = in_.layout.poles[i];
       const bool is_sink = type(v) == NodeType::sink;
-      stand_at(place_of(v), is_sink ? shape.cross : shape.own, is_sink ? shape.own : shape.cross);
+      stand_at(index_of(v), is_sink ? shape.cross : shape.own, is_sink ? shape.own : shape.cross);
     }
   }
 
@@ -98,8 +98,8 @@ class Writer {
       const bool ends = type(edge.upper) == NodeType::end;
       if (!starts && !ends) continue;
       const Point ray = ray_of(in_.flow, in_.layout, edge);
-      if (starts) stand_at(place_of(edge.lower), ray.x, ray.y);
-      if (ends) stand_at(place_of(edge.upper), ray.x, ray.y);
+      if (starts) stand_at(index_of(edge.lower), ray.x, ray.y);
+      if (ends) stand_at(index_of(edge.upper), ray.x, ray.y);
       const LongBends& bends = output_.bends(edge.first_edge);
       const std::size_t all = standing(e);
       if (stands_free(edge.lower)) on_bend_[edge.lower] = bend_under(bends, all, 0);
@@ -110,7 +110,7 @@ class Writer {
   /// A vertex of degree 1 needs no direction, so it may stand on a bend, unless a Q body hangs on
   /// it.
   bool stands_free(NodeId v) const {
-    return (type(v) == NodeType::start || type(v) == NodeType::end) && !has_body_[place_of(v)];
+    return (type(v) == NodeType::start || type(v) == NodeType::end) && !has_body_[index_of(v)];
   }
 
   /// Vertices on a long edge that may stand on bends: at a PASS 120 degrees are enough.
@@ -161,7 +161,7 @@ class Writer {
       if (!in_.flow.is_pass[i]) include(xy_[i][0], xy_[i][1]);
     }
     for (const QBody& body : bodies_) {
-      const std::uint32_t i = in_.flow.place[body.joint];
+      const std::uint32_t i = in_.flow.index[body.joint];
       include(xy_[i][0] - (is_end(i) ? 0 : kQHalfWidth), xy_[i][1] - (is_end(i) ? kQHalfWidth : 0));
     }
   }
@@ -170,7 +170,7 @@ class Writer {
   [[gnu::always_inline]] void prefetch_edge(LongId e) const {
     const auto& edges = in_.flow.edges;
     if (e + kAhead >= edges.size()) return;
-    prefetch(z_, place_of(edges[e + kAhead].upper));
+    prefetch(z_, index_of(edges[e + kAhead].upper));
     output_.prefetch_bends(edges[e + kAhead].first_edge);
   }
 
@@ -179,7 +179,7 @@ class Writer {
     LongBends& bends = output_.bends(edge.first_edge);
     std::array<Point, 2> points;
     for (std::size_t i = 0; i < bends.count(); ++i) {
-      const std::int64_t z = z_[place_of(i < bends.lower_count() ? edge.lower : edge.upper)];
+      const std::int64_t z = z_[index_of(i < bends.lower_count() ? edge.lower : edge.upper)];
       points[i] = bends[i] + Vector{-left_, -front_, z};
     }
     if (in_.flow.joint || standing(e) == 0) {
@@ -203,13 +203,13 @@ class Writer {
       stand_on(i, points[used++]);
       return true;
     };
-    std::uint32_t i = place_of(edge.lower);
+    std::uint32_t i = index_of(edge.lower);
     if (stands_free(edge.lower)) stand_on_bend(i);
     EdgeId id = edge.first_edge;
     const auto& edges = graph_.edges[order_[i]];
     i = end_of(i,
                static_cast<std::size_t>(std::find(edges.begin(), edges.end(), id) - edges.begin()));
-    for (const std::uint32_t top = place_of(edge.upper); i != top;) {
+    for (const std::uint32_t top = index_of(edge.upper); i != top;) {
       if (!stand_on_bend(i)) stand_at(i, ray.x, ray.y);
       output_.set_bends(id, {});
       const auto& both = graph_.edges[order_[i]];
@@ -222,9 +222,9 @@ class Writer {
     output_.set_bends(id, {points.data() + used, last - used});
   }
 
-  /// The place of the k-th neighbour of the vertex at a place.
+  /// The index of the k-th neighbour of the vertex at an index.
   std::uint32_t end_of(std::uint32_t i, std::size_t k) const {
-    return in_.flow.place[graph_.neighbours[order_[i]].to[k]];
+    return in_.flow.index[graph_.neighbours[order_[i]].to[k]];
   }
 
   void stand_on(std::uint32_t i, const Point& bend) {
@@ -237,9 +237,9 @@ class Writer {
   const Attempt& in_;
   const LongVector<QBody>& bodies_;
   Output& output_;
-  LongVector<std::array<std::int32_t, 2>> xy_;  // per place
-  LongVector<std::int64_t> z_;                  // per place
-  std::vector<bool> has_body_;                  // per place
+  LongVector<std::array<std::int32_t, 2>> xy_;  // per index
+  LongVector<std::int64_t> z_;                  // per index
+  std::vector<bool> has_body_;                  // per index
   LongVector<std::uint32_t> passes_;            // per long edge; empty if there is none
   std::vector<bool> on_bend_;                   // per node
   std::int64_t left_ = 0;                       // least x and y: the origin of what is written

@@ -88,7 +88,7 @@ LongVector<Vertex> StOrder::place_in_preorder() {
   }
   for (Vertex i = 1; i < numbered_.size(); ++i) {
     const auto [vertex, parent, begin, end] = numbered_[i];
-    expect(begin + 1 == end, "a vertex has one place");
+    expect(begin + 1 == end, "a vertex has one index");
     list[begin] = vertex;
   }
   return list;

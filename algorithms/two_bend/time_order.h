@@ -23,8 +23,8 @@ class StOrder {
   struct Numbered {
     Vertex vertex = 0;
     Vertex parent = 0;
-    Vertex low = 0;          // later where its places that no child has taken begin
-    std::uint32_t size = 1;  // of its subtree, in consecutive places of the list; later their end
+    Vertex low = 0;          // later where its indices that no child has taken begin
+    std::uint32_t size = 1;  // of its subtree, in consecutive indices of the list; later their end
   };
   void search(Vertex s, Vertex t);
   void visit(Vertex v, Vertex parent);
@@ -43,7 +43,7 @@ class StOrder {
 };
 
 /// Repairs the end of an st-order ... p5 y w c t whose last vertex has three earlier neighbours
-/// (Step 2.4): permutes the last four places so that at least two neighbours of the last vertex
+/// (Step 2.4): permutes the last four indices so that at least two neighbours of the last vertex
 /// have it as their only later neighbour.
 /// @return false (list unchanged) if no case applies: possible only for 6 and 8 vertices and for K4
 /// and Q blocks.

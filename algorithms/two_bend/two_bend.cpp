@@ -29,13 +29,13 @@ using Extents = std::array<std::int64_t, 3>;
 
 /// Extents that the proof of Lemma 2.18 promises for this very component, from the numbers of its
 /// parts and the distances in its lists, never from the points they are compared with.
-/// @param places  vertices in the time order; @param bodies  Q bodies.
+/// @param indices  vertices in the time order; @param bodies  Q bodies.
 Extents bound_component(const Flow& flow, const Layout& layout, const Slabs& slabs,
-                        std::size_t places, std::size_t bodies) {
+                        std::size_t indices, std::size_t bodies) {
   const std::int64_t margin = 2 * (layout.largest_gap + kQHalfWidth) + 1;
   const std::int64_t x = layout.width_bound[1] + margin;
   const std::int64_t y = layout.width_bound[0] + margin;
-  std::int64_t z = static_cast<std::int64_t>(places) +
+  std::int64_t z = static_cast<std::int64_t>(indices) +
                    static_cast<std::int64_t>(bodies) * kQHeight + slabs.lean_excess;
   for (const NodeType type : flow.types[0]) {
     if (type == NodeType::split) z += x;
@@ -53,9 +53,9 @@ struct TwoBendCensus {
   std::int64_t rounds = 0, safe_rounds = 0;
   Extents bound{};  // components are stacked in z
 
-  void add(const Attempt& drawn, std::size_t places, std::size_t bodies) {
+  void add(const Attempt& drawn, std::size_t indices, std::size_t bodies) {
     const auto& [flow, layout, slabs] = drawn;
-    add_bound(bound_component(flow, layout, slabs, places, bodies));
+    add_bound(bound_component(flow, layout, slabs, indices, bodies));
     q_bodies += static_cast<std::int64_t>(bodies);
     vv_leans += static_cast<std::int64_t>(flow.vv_edges.size());
     stations += std::count(flow.types[0].begin(), flow.types[0].end(), NodeType::station);
@@ -116,11 +116,11 @@ std::int64_t height_of(const Slabs& slabs) {
 
 /// True if the ordinary rounds kept the smaller box that they are held to (Lemma 2.18). Bends and Q
 /// bodies may reach beyond the outermost rows and columns; this allows for as much as they can.
-/// @param n  vertices. @param places  vertices in the time order. @param bodies  Q bodies.
-bool keeps_box(const Attempt& attempt, std::size_t n, std::size_t places, std::size_t bodies) {
+/// @param n  vertices. @param indices  vertices in the time order. @param bodies  Q bodies.
+bool keeps_box(const Attempt& attempt, std::size_t n, std::size_t indices, std::size_t bodies) {
   const std::int64_t edge = 2 * (attempt.layout.largest_gap + kQHalfWidth) + 1;
   const auto passes_and_bodies =
-      static_cast<std::int64_t>(places) + kQHeight * static_cast<std::int64_t>(bodies);
+      static_cast<std::int64_t>(indices) + kQHeight * static_cast<std::int64_t>(bodies);
   return kOrdinaryBox[0].holds(width_of(attempt.layout.columns) + edge, n) &&
          kOrdinaryBox[1].holds(width_of(attempt.layout.rows) + edge, n) &&
          kOrdinaryBox[2].holds(height_of(attempt.slabs) + passes_and_bodies, n);
@@ -166,7 +166,7 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output,
                      return keeps_box(attempt, graph.size(), order.list.size(), bodies.size());
                    },
                    output);
-  if (found.flow.joint) {  // every place is a node: nothing reads the graph
+  if (found.flow.joint) {  // every index is a node: nothing reads the graph
     release(graph.neighbours);
     release(graph.edges);
   }

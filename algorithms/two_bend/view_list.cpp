@@ -149,14 +149,14 @@ class ListBuilder {
   void place_hold(const Pole& pole, NodeId lo, NodeId hi) {
     const NodeId hold = view_.hold_of(pole);
     const bool has_place = list_.contains(hold) || !pole.a_type;
-    const NodeId place = pole.special;  // V-type: directly after it
+    const NodeId index = pole.special;  // V-type: directly after it
     bool lo_is_nearer = true;
     if (has_place) {
-      if (list_.before(lo, place) && list_.before(place, hi)) {
-        if (!pole.a_type) list_.insert_after(place, hold);
+      if (list_.before(lo, index) && list_.before(index, hi)) {
+        if (!pole.a_type) list_.insert_after(index, hold);
         return;
       }
-      lo_is_nearer = list_.before(place, lo);
+      lo_is_nearer = list_.before(index, lo);
     }
     const bool lo_is_outside = !is_in_source_unit(lo, true, hold);
     const bool hi_is_outside = !is_in_source_unit(hi, false, hold);
@@ -173,7 +173,7 @@ class ListBuilder {
     }
   }
 
-  /// True if the place directly after (before) an entry lies between the first two rows of a joint
+  /// True if the index directly after (before) an entry lies between the first two rows of a joint
   /// SOURCE's unit.
   bool is_in_source_unit(NodeId entry, bool after, NodeId hold) const {
     if (!view_.flow().joint) return false;
@@ -236,8 +236,8 @@ EntryList::EntryList(std::size_t num_nodes, const LongVector<NodeId>& owners) : 
     last = v;
   }
   for (std::size_t i = 1; i < kWalkers; ++i) {
-    const std::size_t place = i * owners.size() / kWalkers;
-    if (place > (i - 1) * owners.size() / kWalkers) starts_.push_back(owners[place]);
+    const std::size_t index = i * owners.size() / kWalkers;
+    if (index > (i - 1) * owners.size() / kWalkers) starts_.push_back(owners[index]);
   }
 }
 
@@ -291,13 +291,13 @@ bool EntryList::walk_before(NodeId u, NodeId v) const {
   }
 }
 
-void EntryList::insert_after(NodeId place, NodeId v) {
-  link(place, v, links_[place].next, links_[place].cluster);
+void EntryList::insert_after(NodeId index, NodeId v) {
+  link(index, v, links_[index].next, links_[index].cluster);
 }
 
-void EntryList::insert_before(NodeId place, NodeId v) {
-  expect(links_[place].previous != kNone, "nothing is put before the first entry");
-  link(links_[place].previous, v, place, links_[place].cluster);
+void EntryList::insert_before(NodeId index, NodeId v) {
+  expect(links_[index].previous != kNone, "nothing is put before the first entry");
+  link(links_[index].previous, v, index, links_[index].cluster);
 }
 
 void EntryList::link(NodeId left, NodeId v, NodeId right, NodeId cluster) {
@@ -331,13 +331,13 @@ void choose_outer_specials(Flow& flow, bool columns_are_second,
     return second.type(pole.node) == NodeType::sink && pole.special == kNone;
   });
   if (!any) return;
-  const Values place = list_places(View(flow, !columns_are_second), first_list);
+  const Values index = list_indices(View(flow, !columns_are_second), first_list);
   for (Pole& pole : poles) {
     if (second.type(pole.node) != NodeType::sink || pole.special != kNone) continue;
     const auto three = second.ins(pole.node);
     std::array<NodeId, 3> m{three[0], three[1], three[2]};
-    std::sort(m.begin(), m.end(), [&](NodeId a, NodeId b) { return place[a] < place[b]; });
-    pole.special = place[m[2]] - place[m[1]] > place[m[1]] - place[m[0]] ? m[2] : m[0];
+    std::sort(m.begin(), m.end(), [&](NodeId a, NodeId b) { return index[a] < index[b]; });
+    pole.special = index[m[2]] - index[m[1]] > index[m[1]] - index[m[0]] ? m[2] : m[0];
   }
 }
 

@@ -24,7 +24,7 @@ bool are_parallel(Vector u, Vector v);
 /// A stub, a middle or any segment of a body.
 struct DrawnSegment {
   LatticeSegment at;    ///< from its lower end upwards
-  std::uint32_t owner;  ///< the vertex or body that it was drawn with, by its place in the order
+  std::uint32_t owner;  ///< the vertex or body that it was drawn with, by its index in the order
   std::uint32_t stub;   ///< of a middle: which of the stubs it begins at, by index
 };
 

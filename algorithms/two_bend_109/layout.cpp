@@ -53,7 +53,7 @@ class LayoutMaker {
         made_(std::move(before)) {
     made_.scale = scale;
     made_.end_slot = first_slot;
-    made_.place.resize(graph.num_vertices());
+    made_.position.resize(graph.num_vertices());
   }
 
   Layout run() {
@@ -111,7 +111,7 @@ class LayoutMaker {
   /// `slope`, wherever both choose to stand, in squares of at most `jitter` points per side. The
   /// length of (dx, dy) is at most 3/2 dx + 5/2 dy.
   Int128 lift(Vertex b, Point at, std::int64_t slope, std::int64_t jitter) const {
-    const Point p = made_.place[b];
+    const Point p = made_.position[b];
     const Int128 dx = std::abs(at.x - p.x) + jitter + Int128{2} * kStubX;
     const Int128 dy = std::abs(at.y - p.y) + jitter + Int128{2} * kStubY;
     const std::int64_t least = std::max(slope, stubs_by_number(arrangement_.stubs[b]).up_slope);
@@ -121,21 +121,21 @@ class LayoutMaker {
   void raise(const VertexPart& part) {
     Int128 base = Int128{top_} + kStep;
     for (const Vertex v : part.vertices) {
-      graph_.prefetch_neighbours(v + kAhead, made_.place.data());
+      graph_.prefetch_neighbours(v + kAhead, made_.position.data());
       const Vector offset = offset_of(arrangement_.spot[v]);
-      made_.place[v] = {checked(x_of(arrangement_.slot[v]), v) + offset.x, offset.y, 0};
+      made_.position[v] = {checked(x_of(arrangement_.slot[v]), v) + offset.x, offset.y, 0};
       for (const HalfEdge& half : graph_.incident(v)) {
         if (half.to >= part.vertices[0]) continue;
         const Int128 least =
-            made_.place[half.to].z + lift(half.to, made_.place[v],
-                                          stubs_by_number(arrangement_.stubs[v]).down_slope,
-                                          made_.scale.jitter);
+            made_.position[half.to].z + lift(half.to, made_.position[v],
+                                             stubs_by_number(arrangement_.stubs[v]).down_slope,
+                                             made_.scale.jitter);
         base = std::max(base, least);
       }
     }
     const std::int64_t step = part.vertices.size() > 3 ? kCycleStep : kStep;
     for (const Vertex v : part.vertices) {
-      top_ = made_.place[v].z = checked(base, v);
+      top_ = made_.position[v].z = checked(base, v);
       base += step;
     }
   }
@@ -155,8 +155,8 @@ class LayoutMaker {
     for (const SmallBody::BodyLeg& leg : body.legs) {
       const HalfEdge* half = edge_of(part, part.vertices[leg.v]);
       if (half == nullptr) continue;
-      low_x = std::min<Int128>(low_x, made_.place[half->to].x - leg.end.x);
-      high_x = std::max<Int128>(high_x, made_.place[half->to].x - leg.end.x);
+      low_x = std::min<Int128>(low_x, made_.position[half->to].x - leg.end.x);
+      high_x = std::max<Int128>(high_x, made_.position[half->to].x - leg.end.x);
     }
     const Int128 x = low_x > high_x ? Int128{0} : (low_x + high_x) / 2;
     const Vertex first = part.vertices[0];
@@ -171,14 +171,14 @@ class LayoutMaker {
       const HalfEdge* half = edge_of(part, part.vertices[leg.v]);
       if (half == nullptr) continue;
       const Point end{base.x + leg.end.x, leg.end.y, 0};
-      z = std::max(z, made_.place[half->to].z +
+      z = std::max(z, made_.position[half->to].z +
                           lift(half->to, end, body.slope, made_.scale.body_jitter) - leg.end.z);
     }
     base.z = checked(z, first);
     top_ = checked(z + height, first);
     for (std::size_t i = 0; i < part.vertices.size(); ++i) {
       const Point& p = body.vertices[i];
-      made_.place[part.vertices[i]] = {base.x + p.x, base.y + p.y, base.z + p.z};
+      made_.position[part.vertices[i]] = {base.x + p.x, base.y + p.y, base.z + p.z};
     }
   }
 

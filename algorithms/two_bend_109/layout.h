@@ -32,18 +32,18 @@ struct LayoutScale {
 inline constexpr std::int64_t kStep = 2 * kStubZ + 2;
 inline constexpr std::int64_t kCycleStep = 2 * kCycleStubZ + 2;
 
-/// Places before the choice in the square: a vertex will stand at place + (a, b, 0) with
+/// Positions before the choice in the square: a vertex will stand at position + (a, b, 0) with
 /// 0 <= a, b < jitter.
 struct Layout {
   LayoutScale scale;
-  std::vector<Point> place;    ///< of each vertex; of those of bodies too, all move alike
-  std::uint32_t end_slot = 0;  ///< behind those of the component
+  std::vector<Point> position;  ///< of each vertex; of those of bodies too, all move alike
+  std::uint32_t end_slot = 0;   ///< behind those of the component
 };
 
 /// Heights by slope: so high above its earlier neighbours that no edge leans too much, wherever
 /// both choose to stand (Step E.3).
 /// @param parts  of one component, whose slots begin with this one. The vertices of the others keep
-/// their places in `before`.
+/// their positions in `before`.
 /// @throws InputError naming a vertex whose coordinates may pass 2^60. O(size of the component).
 Layout lay_out(const OrderedGraph& graph, std::span<const VertexPart> parts,
                const SlotArrangement& arrangement, LayoutScale scale, std::uint32_t first_slot = 0,

@@ -162,7 +162,7 @@ class VertexPlacer {
     graph_.prefetch_neighbours(v + kAhead, made_.at.data());
     edges_.clear();
     add_edges_down(v, v, edges_);
-    if (!choose([&](Vector offset) { return fits(v, layout_.place[v] + offset, edges_); })) {
+    if (!choose([&](Vector offset) { return fits(v, layout_.position[v] + offset, edges_); })) {
       return false;
     }
     commit(v, edges_);
@@ -262,7 +262,7 @@ class VertexPlacer {
         edges[i].port = static_cast<std::uint8_t>(leg);
       }
     }
-    const Point origin = layout_.place[part.vertices[0]] + -as_vector(part.body->vertices[0]);
+    const Point origin = layout_.position[part.vertices[0]] + -as_vector(part.body->vertices[0]);
     Vector chosen;
     if (!choose([&](Vector offset) {
           chosen = offset;

@@ -21,22 +21,22 @@ OrderedGraph::OrderedGraph(const Graph& graph, std::vector<VertexPart> all_parts
   for (const VertexPart& part : all_parts) ++next[component_of(part) + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
   for (VertexPart& part : all_parts) parts[next[component_of(part)]++] = std::move(part);
-  std::vector<Vertex> place(graph.num_vertices());
+  std::vector<Vertex> index(graph.num_vertices());
   names.reserve(graph.num_vertices());
   for (VertexPart& part : parts) {
     for (Vertex& v : part.vertices) {
-      place[v] = num_vertices();
+      index[v] = num_vertices();
       names.push_back(v);
-      v = place[v];
+      v = index[v];
     }
   }
   std::vector<Vertex> seen(components.count);
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) numbers[place[v]] = seen[components.of[v]]++;
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) numbers[index[v]] = seen[components.of[v]]++;
   half_edges.reserve(std::size_t{2} * graph.num_edges());
   offsets.reserve(names.size() + 1);
   for (const Vertex v : names) {
     for (const auto [to, edge] : graph.incident(v)) {
-      half_edges.push_back({place[to], 2 * edge + (v < to ? 0 : 1)});
+      half_edges.push_back({index[to], 2 * edge + (v < to ? 0 : 1)});
     }
     offsets.push_back(static_cast<std::uint32_t>(half_edges.size()));
   }
@@ -191,19 +191,19 @@ class Arranger {
     made_.spot[cycle[0]] = made_.spot[cycle[k - 1]] = SlotSpot::lower;
   }
 
-  /// Slots get their places in the order as numbers.
+  /// Slots get their indices in the order as numbers.
   void number_slots() {
     list_of_ = list_.in_order();
     const std::vector<std::uint32_t>& order = list_of_;
-    std::vector<std::uint32_t> place(order.size());
+    std::vector<std::uint32_t> index(order.size());
     std::vector<SlotKind> kinds(order.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) {
-      place[order[i]] = i;
+      index[order[i]] = i;
       kinds[i] = made_.kind[order[i]];
     }
     made_.kind = std::move(kinds);
     for (std::uint32_t& slot : made_.slot) {
-      if (slot != SlotList::kNone) slot = place[slot];
+      if (slot != SlotList::kNone) slot = index[slot];
     }
   }
 
@@ -251,8 +251,8 @@ class Arranger {
     }
   }
 
-  const std::array<Vertex, 3>& triangle_at(std::uint32_t place) const {
-    return triangles_[triangle_of_[list_of_[place]]];
+  const std::array<Vertex, 3>& triangle_at(std::uint32_t index) const {
+    return triangles_[triangle_of_[list_of_[index]]];
   }
 
   void stand(Vertex v, Stance stance, bool in_x, bool in_y, Vertex first, Vertex second) {

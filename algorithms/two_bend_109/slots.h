@@ -78,9 +78,9 @@ enum class SlotSpot : std::uint8_t {
 
 /// The order of all vertices but those of bodies along the x-axis, and how each stands (Step E.2).
 struct SlotArrangement {
-  std::vector<std::uint32_t> slot;  ///< of each vertex, its place in the order
+  std::vector<std::uint32_t> slot;  ///< of each vertex, its index in the order
   std::vector<SlotSpot> spot;       ///< of each vertex
-  std::vector<SlotKind> kind;       ///< of each slot, by place in the order
+  std::vector<SlotKind> kind;       ///< of each slot, by index in the order
   std::vector<std::uint32_t> part;  ///< of each vertex: index into the parts
   std::vector<std::uint8_t> stubs;  ///< of each vertex: their number
   std::vector<std::uint8_t> port;   ///< of each bend: which stub of its vertex it ends

@@ -95,7 +95,7 @@ class SideBySide {
     for (Vertex v = begin; v < end; ++v) {
       const bool in_body = arrangement_.slot[v] == SlotList::kNone;
       const std::int64_t most = (in_body ? layout_.scale.body_jitter : layout_.scale.jitter) - 1;
-      const Vector to_place = layout_.place[v] - placement_.at[v];
+      const Vector to_place = layout_.position[v] - placement_.at[v];
       const auto add = [&](Point p) {
         box.add(p);
         of_choices.add(p + to_place);

@@ -6,13 +6,13 @@
 namespace ar3d::two_bend_paper {
 
 template <class T>
-struct Place {
+struct Point2 {
   T x{};
   T y{};
 };
 
 /// Says where a ray stands in the plane.
-using Foot = Place<double>;
+using Foot = Point2<double>;
 
 /// k quarter turns to the left; exact.
 Foot turned(Foot foot, unsigned quarter_turns);

@@ -140,9 +140,9 @@ class Stacking {
     }
   }
 
-  static Vector3<T> over(const Place<T>& foot, const T& z) { return {foot.x, foot.y, z}; }
+  static Vector3<T> over(const Point2<T>& foot, const T& z) { return {foot.x, foot.y, z}; }
 
-  static T distance(const Place<T>& p, const Place<T>& q) {
+  static T distance(const Point2<T>& p, const Point2<T>& q) {
     const T x = T(q.x - p.x), y = T(q.y - p.y);
     return square_root(T(x * x + y * y));
   }
@@ -159,7 +159,7 @@ class Stacking {
   }
 
   void draw_merge(const Step& step) {
-    const Place<T> p = feet_[step.below[0].to], q = feet_[step.below[1].to];
+    const Point2<T> p = feet_[step.below[0].to], q = feet_[step.below[1].to];
     const T share = T(step.share), rest = T(T(1) - share);
     const T rise = T(rise_ * distance(p, q));
     const T z = T(top_ + 1 + rise * std::max(share, rest));
@@ -172,7 +172,7 @@ class Stacking {
 
   void draw_triskelion(const Step& step, const Triskelion& shape) {
     const auto foot = [&](std::size_t i) { return feet_[step.below[shape.order[i]].to]; };
-    const Place<T> t = foot(0), u = foot(1), w = foot(2);
+    const Point2<T> t = foot(0), u = foot(1), w = foot(2);
     const T base = distance(t, u);
     const Vector3<T> e{T((u.x - t.x) / base), T((u.y - t.y) / base), T(0)};
     const Vector3<T> to_w{T(w.x - t.x), T(w.y - t.y), T(0)};
@@ -183,7 +183,7 @@ class Stacking {
     const Vector3<T> middle = Vector3<T>{t.x, t.y, T(0)} + T(at) * e;
     const std::array<Vector3<T>, 3> arm{middle - wide * e, middle + wide * e,
                                         middle + T(half + r) * n};
-    const std::array<Place<T>, 3> feet{t, u, w};
+    const std::array<Point2<T>, 3> feet{t, u, w};
     std::array<T, 3> run;
     for (std::size_t i = 0; i < 3; ++i) run[i] = distance({arm[i].x, arm[i].y}, feet[i]);
     const T z = T(top_ + 1 + rise_ * std::max({run[0], run[1], run[2]}));
@@ -224,7 +224,7 @@ class Stacking {
 
   /// The edge from a ray to below a vertex of a cycle, in a slab of its own.
   void draw_transverse(const CycleVertex& vertex) {
-    const Place<T> from = feet_[vertex.third->to], to = feet_[vertex.node];
+    const Point2<T> from = feet_[vertex.third->to], to = feet_[vertex.node];
     const T low = T(top_ + 1), high = T(low + rise_ * distance(from, to));
     set_bends(vertex.third->edge, vertex.third->to, {over(from, low), over(to, high)});
     top_ = high;
@@ -253,9 +253,9 @@ class Stacking {
 
   const ContractedGraph& graph_;
   NodePoints<T> points_;
-  std::vector<Place<T>> feet_;  // by node
-  T rise_;                      // over a distance of 1: 1 / sqrt(3), 30 degrees
-  T top_{};                     // nothing but rays is higher
+  std::vector<Point2<T>> feet_;  // by node
+  T rise_;                       // over a distance of 1: 1 / sqrt(3), 30 degrees
+  T top_{};                      // nothing but rays is higher
 };
 
 /// The drawing of the contracted graph.

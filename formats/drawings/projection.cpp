@@ -13,7 +13,7 @@
 namespace ar3d {
 namespace {
 
-using Place = Projection::Place;
+using PaperPoint = Projection::PaperPoint;
 using PaintedItem = Projection::PaintedItem;
 
 constexpr std::size_t kMaxSegments = 20000;
@@ -22,7 +22,7 @@ constexpr double kBallToStroke = 1.7;
 
 /// A point on the picture. `near` is larger for nearer points and linear along projected segments.
 struct PicturePoint {
-  Place at;
+  PaperPoint at;
   double near = 0;
 };
 
@@ -220,8 +220,8 @@ PictureFrame frame_of(const std::vector<PictureSegment>& segments,
 void place_on_paper(Projection& picture, const PictureFrame& frame, double scale) {
   const auto& low = frame.first;
   const double depth = std::max(frame.second.near - low.near, 1e-9);
-  const auto placed = [&low, scale](Place p) {
-    return Place{kMargin + (p.x - low.at.x) * scale, kMargin + (p.y - low.at.y) * scale};
+  const auto placed = [&low, scale](PaperPoint p) {
+    return PaperPoint{kMargin + (p.x - low.at.x) * scale, kMargin + (p.y - low.at.y) * scale};
   };
   for (PaintedItem& item : picture.items) {
     item.from = placed(item.from);

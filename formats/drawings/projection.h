@@ -23,13 +23,13 @@ struct ExportOptions {
 /// A drawing on paper: straight strokes and balls, to be painted in their order. Where two segments
 /// cross in the projection, the farther one has a gap.
 struct Projection {
-  struct Place {
+  struct PaperPoint {
     double x = 0;
     double y = 0;  ///< downwards
   };
   struct PaintedItem {
-    Place from;
-    Place to;             ///< of a ball: from
+    PaperPoint from;
+    PaperPoint to;        ///< of a ball: from
     int role = 0;         ///< of the stroke's edge; -1: a ball
     double depth = 0;     ///< larger is nearer
     double nearness = 0;  ///< 0 (farthest) to 1 (nearest)

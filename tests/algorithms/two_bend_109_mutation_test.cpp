@@ -31,15 +31,17 @@ bool is_three_down(const SlotArrangement& arrangement, Vertex v) {
 TEST(TwoBend109Mutation, TurnsTooMuchWhenARuleIsBroken) {
   const Graph random = generate(find_family("random-4-regular"), 60, 3);
   EXPECT_TRUE(placed(random, [](Vertex, SlotArrangement&, Layout&) {})) << "unbroken";
-  EXPECT_THROW(placed(random, [](Vertex v, auto&, Layout& l) { l.place[v].z /= 8; }), InternalError)
+  EXPECT_THROW(placed(random, [](Vertex v, auto&, Layout& l) { l.position[v].z /= 8; }),
+               InternalError)
       << "lower heights";
-  EXPECT_THROW(placed(random, [](Vertex v, auto&, Layout& l) { l.place[v].x /= 40; }),
+  EXPECT_THROW(placed(random, [](Vertex v, auto&, Layout& l) { l.position[v].x /= 40; }),
                InternalError)
       << "narrow slots";
-  EXPECT_THROW(placed(random, [](Vertex v, auto&, Layout& l) { l.place[v].y = 0; }), InternalError)
+  EXPECT_THROW(placed(random, [](Vertex v, auto&, Layout& l) { l.position[v].y = 0; }),
+               InternalError)
       << "pairs without a gap";
   const auto stands_elsewhere = [](Vertex v, const SlotArrangement& a, Layout& layout) {
-    if (is_three_down(a, v)) layout.place[v].x += 10'000'000;
+    if (is_three_down(a, v)) layout.position[v].x += 10'000'000;
   };
   EXPECT_THROW(placed(random, stands_elsewhere), InternalError)
       << "three down must stand between its neighbours";

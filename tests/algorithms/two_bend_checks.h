@@ -62,7 +62,7 @@ inline bool arms_are_not_parallel(const Flow& flow) {
 
 /// Every listed MERGE stands strictly between its in-neighbours' rows in the list of the view.
 inline bool merges_are_between(const View& view, const LongVector<NodeId>& list) {
-  const Values place = list_places(view, list);
+  const Values place = list_indices(view, list);
   for (NodeId m = 0; m < view.size(); ++m) {
     if (!view.is_listed_merge(m)) continue;
     const auto below = view.ins(m);
