@@ -32,6 +32,7 @@ namespace {
 
 namespace py = pybind11;
 
+constexpr const char* kNoPoints = "points are integers, an array of shape (k, 3)";
 using Values = std::map<std::string, std::int64_t>;
 
 Settings settings_of(const Values& values) {
@@ -192,9 +193,7 @@ py::array_t<std::int64_t> list_of(const std::shared_ptr<PythonDrawing>& drawing,
 
 /// @param points  shape (k, 3).
 std::vector<Point> points_of(const py::array_t<std::int64_t>& points) {
-  if (points.ndim() != 2 || points.shape(1) != 3) {
-    throw InputError("points are integers, an array of shape (k, 3)");
-  }
+  if (points.ndim() != 2 || points.shape(1) != 3) throw InputError(kNoPoints);
   const auto at = points.unchecked<2>();
   std::vector<Point> list;
   for (py::ssize_t i = 0; i < at.shape(0); ++i) list.push_back({at(i, 0), at(i, 1), at(i, 2)});
@@ -205,9 +204,7 @@ std::vector<Point> points_of(const py::array_t<std::int64_t>& points) {
 py::array_t<double> in_space(const PythonDrawing& drawing, const py::object& list) {
   const auto given = py::array::ensure(list);
   const char kind = given ? given.dtype().kind() : '?';
-  if (kind != 'i' && kind != 'u' && !(given && given.size() == 0)) {
-    throw InputError("points are integers, an array of shape (k, 3)");
-  }
+  if (kind != 'i' && kind != 'u' && !(given && given.size() == 0)) throw InputError(kNoPoints);
   const std::vector<Point> points = points_of(py::array_t<std::int64_t>::ensure(given));
   const Embedding embed(drawing.drawing.lattice());
   std::vector<double> placed;
@@ -333,12 +330,9 @@ void add_certificate(py::module_& module) {
   certificate.def_readonly("segments", &Certificate::segments);
   certificate.def("__bool__", &Certificate::valid);
   certificate.def("__repr__", [](const Certificate& c) {
-    const std::string found = std::to_string(c.violations.size()) + " violations";
-    return "<ar3d.Certificate: " +
-           (c.valid()      ? "valid"
-            : c.violated() ? found
-                           : "proves nothing") +
-           ">";
+    const std::string found =
+        c.violated() ? std::to_string(c.violations.size()) + " violations" : "proves nothing";
+    return "<ar3d.Certificate: " + (c.valid() ? "valid" : found) + ">";
   });
 }
 
@@ -353,26 +347,20 @@ Certificate certify_promise(const Graph& graph, const PythonDrawing& drawing,
                             std::uint32_t max_bends, std::pair<std::int32_t, std::int32_t> cosine,
                             bool exactly) {
   const py::gil_scoped_release released;
-  Guarantee promise;
-  promise.max_bends = max_bends;
-  promise.angle_rule = exactly ? AngleRule::exactly : AngleRule::at_least;
-  promise.cosine = {cosine.first, cosine.second};
-  promise.lattice = drawing.drawing.lattice();
+  const Guarantee promise{.max_bends = max_bends,
+                          .angle_rule = exactly ? AngleRule::exactly : AngleRule::at_least,
+                          .cosine = {cosine.first, cosine.second},
+                          .lattice = drawing.drawing.lattice()};
   return certify(graph, drawing.drawing, promise, {.check_size = false});
 }
 
-/// @param offsets  of the bends of every edge, m + 1 numbers that do not fall, the last k.
+/// @param bends  shape (k, 3) for every edge.
 std::shared_ptr<PythonDrawing> drawing_of(const Graph& graph,
                                           const py::array_t<std::int64_t>& vertices,
-                                          const py::array_t<std::int64_t>& bends,
-                                          const std::vector<std::size_t>& offsets) {
-  const std::vector<Point> all = points_of(bends);
-  std::vector<std::vector<Point>> of_edges;
-  for (std::size_t e = 0; e + 1 < offsets.size(); ++e) {
-    of_edges.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(offsets[e]),
-                          all.begin() + static_cast<std::ptrdiff_t>(offsets[e + 1]));
-  }
-  return with_points(drawing_from_points("own", graph, points_of(vertices), of_edges),
+                                          const std::vector<py::array_t<std::int64_t>>& bends) {
+  std::vector<std::vector<Point>> lists;
+  for (const auto& list : bends) lists.push_back(points_of(list));
+  return with_points(drawing_from_points("own", graph, points_of(vertices), lists),
                      graph.shared_edges());
 }
 
@@ -404,8 +392,7 @@ PYBIND11_MODULE(_core, module) {
   add_graph(module);
   add_drawing(module);
   add_certificate(module);
-  module.def("draw", &draw_graph, py::arg("graph"), py::arg("algorithm"), py::arg("options"),
-             py::arg("names"));
+  module.def("draw", &draw_graph);
   module.def("load", [](const std::string& path) { return drawings_in(TextInput(whole(path))); });
   module.def("graph_in", [](const std::string& text, const std::string& what) {
     return only_graph(GraphReader(TextInput(what, bytes_of(text + "\n"))), what);
@@ -418,14 +405,10 @@ PYBIND11_MODULE(_core, module) {
     const std::optional<EndColumns> ends = ends_of_heading(row);
     return ends ? std::vector{ends->source, ends->target} : std::vector<std::size_t>();
   });
-  module.def("certify", &certify_drawing, py::arg("graph"), py::arg("drawing"),
-             py::arg("algorithm"));
-  module.def("certify_promise", &certify_promise, py::arg("graph"), py::arg("drawing"),
-             py::arg("max_bends"), py::arg("cosine"), py::arg("exactly"));
-  module.def("drawing", &drawing_of, py::arg("graph"), py::arg("vertices"), py::arg("bends"),
-             py::arg("offsets"));
-  module.def("generate", &generate_graph, py::arg("family"), py::arg("n"), py::arg("seed"),
-             py::arg("parameters"));
+  module.def("certify", &certify_drawing);
+  module.def("certify_promise", &certify_promise);
+  module.def("drawing", &drawing_of);
+  module.def("generate", &generate_graph);
   module.def("algorithms", [] { return names_in(algorithms()); });
   module.def("families", [] { return names_in(families()); });
 }

@@ -289,10 +289,7 @@ def drawing_of(graph: GraphLike, positions: Any, bends: Any = None) -> Drawing:
             of_edges[number[min(u, v), max(u, v)]] = points if u < v else list(points)[::-1]
     if len(of_edges) != given.num_edges:
         raise ValueError(f"bends are of {len(of_edges)} edges, the graph has {given.num_edges}")
-    lists = [_points(points, "bends") for points in of_edges]
-    offsets = numpy.cumsum([0, *map(len, lists)]).tolist()
-    joined = numpy.concatenate(lists) if lists else numpy.zeros((0, 3), dtype=numpy.int64)
-    return _core.drawing(given, _points(positions, "positions"), joined, offsets)
+    return _core.drawing(given, _points(positions, "positions"), [_points(points, "bends") for points in of_edges])
 
 
 def _points(given: Any, name: str) -> numpy.ndarray:

@@ -203,7 +203,7 @@ def expect_covered(pages, tests):
         assert "\n```" not in section or f'"{heading}"' in tests, f"CONTRIBUTING.md: no walk-through of tests/CMakeLists.txt does: {heading}"
     unmarked = re.findall(r"(?<!-->)\n```sh\n.*", pages["docs/cluster.md"])
     assert not unmarked, f"docs/cluster.md: blocks without a recipe's name: {unmarked}"
-    for page, kinds in {"README.md": ["sh", "sh", "python"], "examples/own_algorithm/README.md": ["sh"]}.items():
+    for page, kinds in {"README.md": ["sh", "sh", "sh", "python"], "examples/own_algorithm/README.md": ["sh"]}.items():
         found = [language for _, language, _ in blocks(pages[page])]
         assert found == kinds, f"{page}: blocks are {found}: is each of them run by a test?"
 
