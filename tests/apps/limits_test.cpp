@@ -75,7 +75,7 @@ TEST_F(Limits, HoldForPlanningToo) {
       "families = { family = \"torus\", rows = 1000000 }\nsizes = 1000\nalgorithms = \"all\"\n");
   for (const char* verb : {"plan ", "run -q "}) {
     expect_error(run("cd " + path("") + " && {} study " + verb + spec),
-                 {"torus rows=1000000 n=", "budget.row_memory_bytes gives"});
+                 {"torus rows=1000000 n=", "more than twice budget.row_memory_bytes (64 MB)"});
   }
 }
 
