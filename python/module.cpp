@@ -1,4 +1,5 @@
 // The compiled part of the Python package `ar3d`; python/ar3d/__init__.py is what users import.
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -93,10 +94,10 @@ Graph graph_of(std::uint64_t num_vertices, const py::array_t<std::int64_t>& pair
     if (id >= 0 && static_cast<std::uint64_t>(id) < num_vertices && id < INT64_C(4294967295)) {
       return static_cast<Vertex>(id);
     }
-    throw InputError("edge " + std::to_string(e) + " has the vertex " + std::to_string(id) +
-                     (num_vertices == 0
-                          ? ", but there are no vertices"
-                          : ", but vertices are 0 to " + std::to_string(num_vertices - 1)));
+    const std::string range = num_vertices == 0
+                                  ? "there are no vertices"
+                                  : fmt::format("vertices are 0 to {}", num_vertices - 1);
+    throw InputError(fmt::format("edge {} has the vertex {}, but {}", e, id, range));
   };
   for (py::ssize_t e = 0; e < at.shape(0); ++e) edges.push_back({end_of(e, 0), end_of(e, 1)});
   const py::gil_scoped_release released;
@@ -106,7 +107,6 @@ Graph graph_of(std::uint64_t num_vertices, const py::array_t<std::int64_t>& pair
 /// A drawing with its points as Python reads them.
 struct PythonDrawing {
   Drawing drawing;
-  std::shared_ptr<const std::vector<Edge>> edges;
   std::vector<std::int64_t> vertices;  ///< x, y, z of each
   std::vector<std::int64_t> offsets;   ///< of the bends of every edge, in order of edge numbers
   std::vector<std::int64_t> bends;     ///< x, y, z of each
@@ -115,14 +115,12 @@ struct PythonDrawing {
 
 void append(Point p, std::vector<std::int64_t>& to) { to.insert(to.end(), {p.x, p.y, p.z}); }
 
-std::shared_ptr<PythonDrawing> with_points(Drawing drawing,
-                                           std::shared_ptr<const std::vector<Edge>> edges) {
+std::shared_ptr<PythonDrawing> with_points(Drawing drawing) {
   if (drawing.real != nullptr) {
     throw InputError("algorithm " + drawing.algorithm() +
                      " draws in a real type, which has no integers");
   }
-  auto made = std::make_shared<PythonDrawing>(
-      PythonDrawing{std::move(drawing), std::move(edges), {}, {}, {}, {}});
+  auto made = std::make_shared<PythonDrawing>(PythonDrawing{std::move(drawing), {}, {}, {}, {}});
   for (Vertex v = 0; v < made->drawing.num_vertices(); ++v) {
     append(made->drawing.vertex(v), made->vertices);
   }
@@ -144,7 +142,7 @@ std::shared_ptr<PythonDrawing> draw_graph(const Graph& graph, const std::string&
   if (!names.empty()) {
     drawing.names = std::make_shared<const std::vector<std::string>>(std::move(names));
   }
-  return with_points(std::move(drawing), graph.shared_edges());
+  return with_points(std::move(drawing));
 }
 
 /// The drawings of a text of JSON lines, named `place` in messages.
@@ -156,10 +154,7 @@ std::vector<std::shared_ptr<PythonDrawing>> drawings_in(TextInput input) {
     if (const auto* undrawn = std::get_if<UndrawnGraph>(&*line)) {
       throw InputError(reader.where() + ": it was not drawn: " + undrawn->error);
     }
-    Drawing& drawing = std::get<Drawing>(*line);
-    auto edges = std::make_shared<std::vector<Edge>>();
-    for (EdgeId e = 0; e < drawing.num_edges(); ++e) edges->push_back(drawing.edge(e));
-    drawings.push_back(with_points(std::move(drawing), edges));
+    drawings.push_back(with_points(std::get<Drawing>(std::move(*line))));
   }
   return drawings;
 }
@@ -170,7 +165,6 @@ std::string line_of(const PythonDrawing& drawing) {
   return line;
 }
 
-/// The only graph of a text in any format.
 /// The only graph of a reader with its vertices' names; what is assumed becomes a warning.
 std::pair<Graph, std::vector<std::string>> only_graph(GraphReader reader, const std::string& what) {
   std::optional<Graph> graph = reader.next();
@@ -205,19 +199,19 @@ py::array_t<double> in_space(const PythonDrawing& drawing, const py::object& lis
   const auto given = py::array::ensure(list);
   const char kind = given ? given.dtype().kind() : '?';
   if (kind != 'i' && kind != 'u' && !(given && given.size() == 0)) throw InputError(kNoPoints);
-  const std::vector<Point> points = points_of(py::array_t<std::int64_t>::ensure(given));
   const Embedding embed(drawing.drawing.lattice());
   std::vector<double> placed;
-  for (const Point point : points) {
+  for (const Point point : points_of(py::array_t<std::int64_t>::ensure(given))) {
     const Real3 p = embed(point);
     placed.insert(placed.end(), {p.x, p.y, p.z});
   }
-  return array_of(std::move(placed), {static_cast<py::ssize_t>(points.size()), 3});
+  const auto count = static_cast<py::ssize_t>(placed.size() / 3);
+  return array_of(std::move(placed), {count, 3});
 }
 
 std::string text_of(const Graph& graph) {
-  return "<ar3d.Graph of " + std::to_string(graph.num_vertices()) + " vertices and " +
-         std::to_string(graph.num_edges()) + " edges>";
+  return fmt::format("<ar3d.Graph of {} vertices and {} edges>", graph.num_vertices(),
+                     graph.num_edges());
 }
 
 void add_graph(py::module_& module) {
@@ -245,9 +239,7 @@ py::array_t<std::int64_t> box_of(const PythonDrawing& drawing) {
 
 py::array_t<std::int64_t> gram_of(const PythonDrawing& drawing) {
   std::vector<std::int64_t> gram;
-  for (const auto& row : drawing.drawing.lattice().gram) {
-    gram.insert(gram.end(), row.begin(), row.end());
-  }
+  for (const auto& row : drawing.drawing.lattice().gram) append({row[0], row[1], row[2]}, gram);
   return array_of(std::move(gram), {3, 3});
 }
 
@@ -258,10 +250,9 @@ Values counters_of(const PythonDrawing& drawing) {
 }
 
 std::string text_of(const PythonDrawing& drawing) {
-  return "<ar3d.Drawing of " + std::to_string(drawing.drawing.num_vertices()) + " vertices, " +
-         std::to_string(drawing.edges->size()) + " edges and " +
-         std::to_string(drawing.bends.size() / 3) + " bends by " + drawing.drawing.algorithm() +
-         ">";
+  const Drawing& d = drawing.drawing;
+  return fmt::format("<ar3d.Drawing of {} vertices, {} edges and {} bends by {}>", d.num_vertices(),
+                     d.num_edges(), drawing.bends.size() / 3, d.algorithm());
 }
 
 void save(const PythonDrawing& drawing, const std::string& path, const std::string& format,
@@ -283,7 +274,7 @@ void add_drawing(py::module_& module) {
     drawing.def_property_readonly(name, get);
   };
   property("algorithm", [](const PythonDrawing& d) { return d.drawing.algorithm(); });
-  property("edges", [](const PythonDrawing& d) { return edges_of(d.edges); });
+  property("edges", [](const PythonDrawing& d) { return edges_of(d.drawing.shared_edges()); });
   property("vertices", [](const Shared& d) { return list_of(d, d->vertices, true); });
   property("bends", [](const Shared& d) { return list_of(d, d->bends, true); });
   property("bend_offsets", [](const Shared& d) { return list_of(d, d->offsets, false); });
@@ -360,21 +351,13 @@ std::shared_ptr<PythonDrawing> drawing_of(const Graph& graph,
                                           const std::vector<py::array_t<std::int64_t>>& bends) {
   std::vector<std::vector<Point>> lists;
   for (const auto& list : bends) lists.push_back(points_of(list));
-  return with_points(drawing_from_points("own", graph, points_of(vertices), lists),
-                     graph.shared_edges());
+  return with_points(drawing_from_points("own", graph, points_of(vertices), lists));
 }
 
 Graph generate_graph(const std::string& family, std::uint64_t n, std::uint64_t seed,
                      const Values& parameters) {
   const py::gil_scoped_release released;
   return generate(find_family(family), n, seed, settings_of(parameters));
-}
-
-template <class Rows>
-std::vector<std::string> names_in(const Rows& rows) {
-  std::vector<std::string> names;
-  for (const auto& row : rows) names.push_back(row.name);
-  return names;
 }
 
 PYBIND11_MODULE(_core, module) {
@@ -409,8 +392,8 @@ PYBIND11_MODULE(_core, module) {
   module.def("certify_promise", &certify_promise);
   module.def("drawing", &drawing_of);
   module.def("generate", &generate_graph);
-  module.def("algorithms", [] { return names_in(algorithms()); });
-  module.def("families", [] { return names_in(families()); });
+  module.def("algorithms", [] { return names_of(algorithms()); });
+  module.def("families", [] { return names_of(families()); });
 }
 
 }  // namespace
