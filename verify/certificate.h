@@ -38,7 +38,7 @@ struct CertifyOptions {
   /// Holds how many pairs of segments and vertices the crossing test may compare before it gives
   /// up; 0: as many as it takes. With a limit there is no proof by counting.
   std::uint64_t most_comparisons = 0;
-  /// Is told how many pairs a crossing test may compare that takes long; empty: nobody is.
+  /// Gets the number of pairs that a long crossing test may compare; may be empty.
   std::function<void(std::uint64_t pairs)> compares = {};
 };
 
