@@ -209,11 +209,6 @@ py::array_t<double> in_space(const PythonDrawing& drawing, const py::object& lis
   return array_of(std::move(placed), {count, 3});
 }
 
-std::string text_of(const Graph& graph) {
-  return fmt::format("<ar3d.Graph of {} vertices and {} edges>", graph.num_vertices(),
-                     graph.num_edges());
-}
-
 void add_graph(py::module_& module) {
   py::class_<Graph> graph(module, "Graph", "A simple undirected graph with vertices 0 to n - 1.");
   // Whole when it is made: what py::init makes could be read before its constructor has run.
@@ -229,7 +224,9 @@ void add_graph(py::module_& module) {
   graph.def_property_readonly("num_edges", &Graph::num_edges);
   graph.def_property_readonly("max_degree", &Graph::max_degree);
   graph.def_property_readonly("edges", [](const Graph& g) { return edges_of(g.shared_edges()); });
-  graph.def("__repr__", &text_of);
+  graph.def("__repr__", [](const Graph& g) {
+    return fmt::format("<ar3d.Graph of {} vertices and {} edges>", g.num_vertices(), g.num_edges());
+  });
 }
 
 py::array_t<std::int64_t> box_of(const PythonDrawing& drawing) {
@@ -338,10 +335,11 @@ Certificate certify_promise(const Graph& graph, const PythonDrawing& drawing,
                             std::uint32_t max_bends, std::pair<std::int32_t, std::int32_t> cosine,
                             bool exactly) {
   const py::gil_scoped_release released;
-  const Guarantee promise{.max_bends = max_bends,
-                          .angle_rule = exactly ? AngleRule::exactly : AngleRule::at_least,
-                          .cosine = {cosine.first, cosine.second},
-                          .lattice = drawing.drawing.lattice()};
+  Guarantee promise;
+  promise.max_bends = max_bends;
+  promise.angle_rule = exactly ? AngleRule::exactly : AngleRule::at_least;
+  promise.cosine = {cosine.first, cosine.second};
+  promise.lattice = drawing.drawing.lattice();
   return certify(graph, drawing.drawing, promise, {.check_size = false});
 }
 

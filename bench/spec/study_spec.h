@@ -151,13 +151,16 @@ struct StudySpec {
 
 /// Holds where the graphs of a study's files are, and what a study that has begun knows of them.
 struct StudyFiles {
-  std::string folder;  ///< that the files of `graphs` are looked for in; empty: the current one
+  /// Holds where the files of `graphs` are looked for; empty: in the current folder.
+  std::string folder = {};
   /// Holds, if given, the files that the study began with, in order; the patterns of `graphs` say
   /// no more.
-  std::optional<std::vector<GraphFileRecord>> begun_with;
-  std::vector<CollectedFile> collected;  ///< of a study that has begun: its files as they were read
-  std::vector<SkippedFile> skipped;      ///< and those that could not be
-  std::shared_ptr<const HeldGraphs> held;  ///< and its graphs; null or without a family: not held
+  std::optional<std::vector<GraphFileRecord>> begun_with = {};
+  /// Holds, of a study that has begun, its files as they were read, and those that could not be.
+  std::vector<CollectedFile> collected = {};
+  std::vector<SkippedFile> skipped = {};
+  /// Holds its graphs; null or without a family: they are not held.
+  std::shared_ptr<const HeldGraphs> held = {};
   /// Holds results, report and drawings of the study; none of them is a graph of a folder.
   std::vector<std::string> own = {};
   bool grow = false;  ///< what they hold by now and the study does not is to be added
