@@ -11,7 +11,7 @@ ar3d, proved = sys.argv[1:3]
 failed = []
 folder = pathlib.Path(tempfile.mkdtemp())
 K4 = "C~"
-LINE = drawings.run(ar3d, "draw", "-", "--algorithm", "diamond", text=K4 + "\n").rstrip("\n")
+LINE = drawings.run(ar3d, "draw", "-", "--algorithm", "diamond", "--set", "effort=2", text=K4 + "\n").rstrip("\n")
 PROMISE = drawings.run(ar3d, "list", "--promise", "diamond").split()
 
 
