@@ -48,7 +48,9 @@ class CostFields {
     int low;
     int high;
   };
-  int row(int x, int y) const { return x * rows_ + (points_.is_body() ? y >> 1 : y); }
+  std::ptrdiff_t row(int x, int y) const {
+    return std::ptrdiff_t{x} * rows_ + (points_.is_body() ? y >> 1 : y);
+  }
   int parity(int x, int y) const { return points_.is_body() ? x & 1 : (x + y) & 1; }
   void clip_rows(Spot to, int radius, int steps);
   void copy_costs(const CostBox& box);

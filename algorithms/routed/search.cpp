@@ -201,8 +201,8 @@ void RouteSearch::list_places(const CostBox& box, Spot now, int radius) {
   const Limits& limits = box.limits();
   const int z0 = std::max(limits.low.z, now.z - radius);
   const int z1 = std::min(limits.high.z, now.z + radius);
-  place_lanes_ = static_cast<std::size_t>(((z1 - z0) / 2 + CostFields::kVector) /
-                                          CostFields::kVector * CostFields::kVector);
+  const int vectors = ((z1 - z0) / 2 + CostFields::kVector) / CostFields::kVector;
+  place_lanes_ = static_cast<std::size_t>(vectors) * CostFields::kVector;
   place_rows_.clear();
   place_costs_.clear();
   for (int x = std::max(limits.low.x, now.x - radius); x <= std::min(limits.high.x, now.x + radius);
