@@ -327,6 +327,7 @@ TEST_F(GraphFiles, AnyNameOfAFileWillDo) {
     const std::string family = read_results(path("a.h5")).runs.at(0).family;
     EXPECT_EQ(family, name == many ? name.substr(0, 47) : "_" + name);
   }
+  scratch_.write("notes.txt", "no graph\n");
   expect_output(run(study("run -q --graphs " + path("") + " --skip --algorithm diamond -o b.h5")),
                 "files ");
 }
