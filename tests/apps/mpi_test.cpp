@@ -53,7 +53,7 @@ TEST_F(Mpi, FourRanksMakeTheSameRows) {
     if (graph != std::exchange(last, graph)) ++graphs;
     EXPECT_EQ(rank_of_session[row.session], fmt::format("{} of 4", (graphs - 1) % 4)) << graph;
   }
-  EXPECT_EQ(graphs, 211);
+  EXPECT_EQ(graphs, 214);
   EXPECT_EQ(run("ls " + path("*.journal")).out, "");
 }
 

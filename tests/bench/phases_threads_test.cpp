@@ -116,7 +116,7 @@ TEST(TimingPhase, ADrawingThatIsNotRepeatableIsACrash) {
     if (drawings++ % 2 == 1) other[0].value = other[0].value == 0 ? 2 : 0;
     return find_algorithm("diamond").draw(drawn, other);
   });
-  PlannedInstance instance = cycle_of(40, {&fickle}, 2, RunPhase::timing);
+  PlannedInstance instance = cycle_of(6000, {&fickle}, 2, RunPhase::timing);
   StudyPlan plan = plan_of(instance);
   plan.timing.warm_up = 0;
   drawings = 0;
