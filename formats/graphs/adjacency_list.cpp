@@ -48,6 +48,10 @@ class AdjacencyListParser final : public GraphParser {
         }
       } else if (is_comment(*line)) {
         is_of_networkx_ = is_of_networkx_ || line->starts_with("# GMT ");
+        if ((*line)[0] == '%' && (rows_ > 0 || is_of_networkx_)) {
+          input_.fail(1, fmt::format("{} is a comment or begins with a name: # begins a comment",
+                                     shown(*line)));
+        }
       } else {
         if (rows_ == 0) is_numbers_ = !is_of_networkx_ && has_colon(*line);
         read_row(*line);

@@ -129,10 +129,11 @@ class EdgeListParser final : public GraphParser {
   /// @throws InputError if a comment above the rows of a table of names is one of its rows as well.
   void refuse_unclear_comment() {
     const auto [text, line] = std::exchange(unclear_, {});
-    const bool is_table = graph_.is_named() && shape_.cut.separator != 0 && !shape_.heading;
-    if (text.empty() || !is_table || shape_.is_forced ||
-        is_heading_of_ends(std::string_view(text).substr(1)))
-      return;
+    if (text.empty() || shape_.is_forced || shape_.cut.separator == 0 || shape_.heading) return;
+    // "#0,1" above numbers is an edge that somebody has taken out.
+    const bool is_of_names =
+        graph_.is_named() || text[1] == shape_.cut.separator || text.find('"') != std::string::npos;
+    if (!is_of_names || is_heading_of_ends(std::string_view(text).substr(1))) return;
     if (text.find(shape_.cut.separator) == std::string::npos) return;
     input_.fail_at(line, 1, fmt::format(kCommentOrName, shown(text)));
   }

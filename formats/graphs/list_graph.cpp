@@ -143,7 +143,7 @@ void ListGraph::refuse_unclear_ends(const ListField& a, const ListField& b,
                                     std::uint64_t line) const {
   for (const ListField* end : {&a, &b}) {
     if (end->is_quoted || shape_->heading || shape_->is_headed_table) continue;
-    const std::size_t odd = end->text.find_first_of(shape_->cut.separator == 0 ? ",;#" : "#");
+    const std::size_t odd = end->text.find_first_of(",;#");
     if (odd == std::string::npos) continue;
     const bool is_cut = end->text[odd] == '#' || odd == 0 || odd + 1 == end->text.size();
     if (is_cut) {

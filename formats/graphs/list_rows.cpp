@@ -280,7 +280,8 @@ std::optional<std::string> end_problem(const ListField& field, bool is_headed) {
         "zeros in front (in quotes it is a name)",
         shown(text));
   }
-  if (text.starts_with('{') && text.ends_with('}') && !is_headed) {
+  const bool has_attributes = text.starts_with('{') || text.find(" {") != std::string::npos;
+  if (has_attributes && text.ends_with('}') && !is_headed) {
     return fmt::format("{} is attributes, no end of an edge (in quotes it is a name)", shown(text));
   }
   if (!is_headed && !has_whole_brackets(text)) {

@@ -131,7 +131,11 @@ def edgelist(delimiter, data):
         lines = text.decode().split("\n")
         if any(len(line.split(delimiter)) == 1 and line.strip() and line[0] != "#" for line in lines):
             raise ValueError("a line that networkx passes over")
+        if delimiter is None and any(word[-1] in ",;" or word[0] in ",;" for line in lines for word in line.split()[:2]):
+            raise ValueError("cut at blanks, though it is a table")
         graph = networkx.parse_edgelist(lines, delimiter=delimiter, create_using=networkx.MultiGraph, data=kind)
+        if any(" {" in v and v.endswith("}") for v in graph):
+            raise ValueError("attributes in a name")
         return networkx.MultiGraph(networkx.relabel_nodes(graph, str.strip))  # blanks beside a separator are none of a name
     return ".edgelist", write, read
 
@@ -182,6 +186,8 @@ def by_igraph(method, suffix, reader, named=False):
     def read(text):
         graph = read_by(reader, text, suffix)
         ids = [int(v) for v in graph.vs["id"]] if suffix == ".gml" and "id" in graph.vs.attributes() else range(graph.vcount())
+        if named and any("," in (name[0], name[-1]) for name in graph.vs["name"]):
+            raise ValueError("cut at blanks, though it is a table")
         names = graph.vs["name"] if named and "name" in graph.vs.attributes() else ids
         made = networkx.MultiGraph()
         made.add_nodes_from(names)
@@ -272,6 +278,8 @@ def of_r(table, header=None):
         frame = pandas.read_csv(io.BytesIO(text), sep=r"\s+", dtype=str, keep_default_na=False, header=header, quotechar='"', comment="#")
         graph = networkx.MultiGraph()
         graph.add_edges_from(frame[frame.columns[:2]].itertuples(index=False, name=None))
+        if any(v[-1:] == "," for v in graph):
+            raise ValueError("cut at blanks, though it is a table")
         return graph
     return ".txt", write, read
 
