@@ -70,7 +70,7 @@ std::string shrink_line(const Trial& trial, const HuntArguments& arguments) {
 }
 
 nlohmann::ordered_json trial_json(const Trial& trial, const HuntArguments& arguments) {
-  const auto if_drawn = [&](nlohmann::ordered_json value) {
+  const auto if_drawn = [&](const nlohmann::ordered_json& value) {
     return trial.drawing ? value : nlohmann::ordered_json();
   };
   return {{"n", trial.graph.num_vertices()},

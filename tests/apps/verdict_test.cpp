@@ -241,7 +241,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"hunt_degree", "{} hunt --algorithm grid --family random-4-regular", "degree"},
         BadCall{"hunt_nan", "{} hunt --algorithm diamond --seconds nan", "--seconds"},
         BadCall{"hunt_no_instance_bound",
-                "{} hunt --algorithm diamond --family path --bound instance --evaluations 5",
+                "{} hunt --algorithm lattice-109 --family path --bound instance --evaluations 5",
                 "no bound for the instance"},
         BadCall{"shrink_two_graphs", "{} shrink @ --algorithm diamond", "a second graph"},
         BadCall{"shrink_nothing_wrong", "{} shrink % --algorithm diamond", "proved right"},
