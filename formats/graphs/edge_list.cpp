@@ -130,7 +130,7 @@ class EdgeListParser final : public GraphParser {
   void refuse_unclear_comment() {
     const auto [text, line] = std::exchange(unclear_, {});
     if (text.empty() || shape_.is_forced || shape_.cut.separator == 0 || shape_.heading) return;
-    // "#0,1" above numbers is an edge that somebody has taken out.
+    // "#0,1" above numbers is an edge that the writer has taken out.
     const bool is_of_names =
         graph_.is_named() || text[1] == shape_.cut.separator || text.find('"') != std::string::npos;
     if (!is_of_names || is_heading_of_ends(std::string_view(text).substr(1))) return;
