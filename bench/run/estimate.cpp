@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint64_t kSizeRatio = 6;
 // What callgrind makes of a drawing, and what it takes beside it, the sweep of the cache above all.
-constexpr double kCountedTimes = 100, kCountedAlways_s = 0.03, kCountingStart_s = 2;
+constexpr double kCountedTimes = 100, kCountedAlwaysSeconds = 0.03, kCountingStartSeconds = 2;
 
 // Far beyond what is measured, the caches make the power law another one.
 std::uint64_t calibration_size(std::uint64_t largest) {
@@ -164,7 +164,7 @@ class Estimator {
                      phase_s_[RunPhase::strong] + phase_s_[RunPhase::weak] +
                      phase_s_[RunPhase::strong_ranks] + phase_s_[RunPhase::weak_ranks];
     result_.threads = threads;
-    if (result_.counting_s > 0) result_.counting_s += kCountingStart_s;
+    if (result_.counting_s > 0) result_.counting_s += kCountingStartSeconds;
     return std::move(result_);
   }
 
@@ -184,7 +184,7 @@ class Estimator {
     if (run.phase == RunPhase::metrics && run.repetition == 0 &&
         cell.n <= std::uint64_t{kLargestCounted}) {
       result_.counting_s +=
-          (kCountedAlways_s + kCountedTimes * cell.draw_s) * static_cast<double>(count);
+          (kCountedAlwaysSeconds + kCountedTimes * cell.draw_s) * static_cast<double>(count);
     }
     const double seconds = cost_of(cell, run) * static_cast<double>(count);
     cell.total_s += seconds;
