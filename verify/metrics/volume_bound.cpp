@@ -121,7 +121,7 @@ class Routing {
     const std::uint64_t low = taken[1] | taken[3], high = taken[2] | taken[3];
     std::array<std::uint32_t, 4> sent{};
     for (; lanes != 0; lanes &= lanes - 1) {
-      const int lane = std::countr_zero(lanes);
+      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
       const std::size_t i = (low >> lane & 1) + 2 * (high >> lane & 1);
       const std::uint16_t units = units_[v][lane];
       units_[ways[i].to][lane] += units;
