@@ -164,7 +164,10 @@ ExternalProcess::Answer ExternalProcess::ask(const std::string& request, double 
     pollfd events[] = {{output_.get(), POLLIN, 0},
                        {errors_ended_ ? -1 : errors_.get(), POLLIN, 0},
                        {written < request.size() ? input_.get() : -1, POLLOUT, 0}};
-    poll(events, 3, static_cast<int>(std::ceil(1000 * std::min(left_s, 1.0))));
+    const int ready = poll(events, 3, static_cast<int>(std::ceil(1000 * std::min(left_s, 1.0))));
+    if (ready == 0 && child_.has_ended()) {  // what it has started may hold its output open
+      throw ProgramFailure(RunStatus::crashed, how_it_ended());
+    }
     if (events[1].revents != 0 && !read_errors()) errors_ended_ = true;
     if (events[2].revents != 0) write_request(request, written);
     if (events[0].revents != 0 && !read_output(most_bytes)) {
