@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 namespace ar3d::routed {
 namespace {
 
 using Cost = CostFields::Cost;
+static_assert(2 * CostFields::kInfinite <= std::numeric_limits<Cost>::max(), "sums of two fit");
 
 /// Eight points of a row: the cheapest of five ways there, and their own costs.
 inline void relax(Cost* __restrict out, const Cost* cost, const Cost* on, const Cost* a,
