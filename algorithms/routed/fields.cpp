@@ -106,7 +106,7 @@ bool CostFields::open(const CostBox& box, const End& from, Spot to, int radius, 
   clip_.assign(static_cast<std::size_t>(width_), {y0 - low_.y, y1 - low_.y});
   if (low_.x < x0) clip_[0] = {1, 0};
   clip_rows(to - low_, radius, steps);
-  costs_.resize(static_cast<std::size_t>(width_ * rows_ * stride_) + kVector);
+  costs_.resize(static_cast<std::size_t>(row(width_, 0) * stride_) + kVector);
   copy_costs(box);
   costs_[index(from_)] = kInfinite;
   const Spot end = to - low_;

@@ -26,7 +26,8 @@ struct Options {
 /// bytes (of the largest box). instance_bound is that of the fall-back if the drawing keeps it.
 /// @throws InputError if graph.max_degree() > 4 or 3, an option is out of range, or the first box
 /// needs more than the megabytes.
-/// Cost: the searches; memory: 5 bytes for each point of the class in the box, O(n) besides.
+/// Cost: the searches; memory: 5 bytes for each point of the class in the box, and in each thread 2
+/// bytes for each bend, direction and point of the window that it searches; O(n) besides.
 Drawing draw_109(const Graph& graph, const Options& options = {});
 Drawing draw_120(const Graph& graph, const Options& options = {});
 
