@@ -66,13 +66,11 @@ Drawing scaled_drawing(const std::string& algorithm, const Graph& graph,
     order = matched_edges(graph, *read.edges);
   }
   const int unit = common_unit(read);
-  Coordinates vertices(graph.num_vertices(), kMaxCoordinate);
-  for (std::size_t v = 0; v < read.vertices.size(); ++v) {
-    vertices.set(v, integers(read.vertices[v], unit));
-  }
-  auto bends = std::make_shared<StoredBends>();
+  std::vector<Point> vertices;
+  for (const auto& vertex : read.vertices) vertices.push_back(integers(vertex, unit));
+  std::vector<std::vector<Point>> bends;
   for (EdgeId e = 0; e < graph.num_edges(); ++e) {
-    std::vector<Point> points;
+    std::vector<Point>& points = bends.emplace_back();
     if (read.edges) {
       const std::size_t drawn = order[e];
       for (std::size_t i = read.offsets[drawn]; i < read.offsets[drawn + 1]; ++i) {
@@ -81,9 +79,8 @@ Drawing scaled_drawing(const std::string& algorithm, const Graph& graph,
       if ((*read.edges)[drawn].u > (*read.edges)[drawn].v)
         std::reverse(points.begin(), points.end());
     }
-    bends->add_edge(points);
   }
-  Drawing drawing(algorithm, kCubeLattice, std::move(vertices), graph.shared_edges(), bends);
+  Drawing drawing = drawing_from_points(algorithm, graph, vertices, bends);
   drawing.counters.push_back({"decimals", -unit});
   return drawing;
 }

@@ -1,7 +1,5 @@
 #include "spokes.h"
 
-#include <memory>
-#include <utility>
 #include <vector>
 
 #include "ar3d/base/error.h"
@@ -13,28 +11,26 @@ using namespace ar3d;
 
 // Path number y: its middle, if it has one, at x = 1, its ends at 0 and 2.
 Drawing draw(const Graph& graph, const Settings&) {
-  Coordinates vertices(graph.num_vertices(), std::int64_t{graph.num_vertices()} + 2);
+  std::vector<Point> points(graph.num_vertices());
   std::int64_t y = 0;
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    if (graph.degree(v) == 0) vertices.set(v, {0, y++, 0});
+    if (graph.degree(v) == 0) points[v] = {0, y++, 0};
     if (graph.degree(v) == 2) {
       for (const HalfEdge& half : graph.incident(v)) {
         if (graph.degree(half.to) == 2) throw InputError("spokes: a path of more than two edges");
       }
-      vertices.set(v, {1, y, 0});
-      vertices.set(graph.incident(v)[0].to, {0, y, 0});
-      vertices.set(graph.incident(v)[1].to, {2, y++, 0});
+      points[v] = {1, y, 0};
+      points[graph.incident(v)[0].to] = {0, y, 0};
+      points[graph.incident(v)[1].to] = {2, y++, 0};
     }
   }
-  auto bends = std::make_shared<StoredBends>();
   for (const Edge& edge : graph.edges()) {
     if (graph.degree(edge.u) == 1 && graph.degree(edge.v) == 1) {
-      vertices.set(edge.u, {0, y, 0});
-      vertices.set(edge.v, {1, y++, 0});
+      points[edge.u] = {0, y, 0};
+      points[edge.v] = {1, y++, 0};
     }
-    bends->add_edge({});
   }
-  return {"spokes", kCubeLattice, std::move(vertices), graph.shared_edges(), std::move(bends)};
+  return drawing_from_points("spokes", graph, points);
 }
 
 }  // namespace
