@@ -1,6 +1,6 @@
 """What pages print runs as printed, and what they say of committed results is so: pages.py SOURCE BUILD AR3D [UNITTEST'S ARGUMENTS].
 
-`pages.py SOURCE BUILD AR3D --print` prints the sentences of docs/precision.md as the committed rows have them."""
+`pages.py SOURCE BUILD AR3D --print` prints the sentences of results/reference/precision.md as the committed rows have them."""
 import csv
 import functools
 import json
@@ -262,7 +262,8 @@ class Told(Page):
         rows, real = precision_rows()[0], precision_rows()[0]["algorithm"] == b"two-bend-paper"
         measured = (rows["certificate"] == b"measured").sum()
         self.assertFalse(rows[real]["collapsed_segments"].any() or rows[real]["crossings"].any())
-        self.expect(" ".join(page("docs/precision.md").split()), *precision_sentences(), f"{len(rows):,} rows",
+        self.expect(" ".join(page("results/reference/precision.md").split()), *precision_sentences())
+        self.expect(" ".join(page("docs/precision.md").split()), f"{len(rows):,} rows",
                     f"in none of the {measured:,} is a segment of length zero or a crossing")
 
 
