@@ -201,7 +201,7 @@ class Told(Page):
         for family, parameters in (("random-cubic", "shuffle=1"), ("percolated-laves-graph", "keep=800000;shuffle=1")):
             found = [exponent("1.0.0-bounds-growth.csv", f"skewed {axis} extent", "spread=1;gap=0;cycle=0", family, parameters)
                      for axis in "xyz"]
-            self.assertEqual([cell.strip() for cell in cells("docs/algorithms.md", f"`{family}")[:3]],
+            self.assertEqual([cell.strip() for cell in cells("results/reference/bounds.md", f"`{family}")[:3]],
                              [text.partition(", apparent")[0] for text in found])
 
     def report_of(self, name, option):
@@ -210,7 +210,7 @@ class Told(Page):
         return made.read_text()
 
     def test_promised_and_drawn_is_what_the_report_of_the_committed_study_says(self):
-        """docs/algorithms.md has a line a setting of what the report has a line an axis of."""
+        """results/reference/bounds.md has a line a setting of what the report has a line an axis of."""
         tables = {name: [dict(zip((column["name"] for column in table["columns"]), row)) for row in table["rows"]]
                   for name, table in json.loads(self.report_of("1.0.0-bounds.h5", "--json"))["tables"].items()}
         labels = {"diamond (effort=0)": "`diamond`, effort 0", "grid-paper (spread=0;gap=0;cycle=0)": "`grid-paper`, `spread=0`",
@@ -227,7 +227,7 @@ class Told(Page):
             if not setting.startswith("lattice"):
                 told = [of[0] if len(set(of)) == 1 and len(of) == 3 else ", ".join(of) for of in zip(*axes)]
                 label = labels.get(setting, f"`{setting.partition(' (')[0]}`")
-                self.assertIn(f"\n| {label} | {' | '.join(told)} |\n", page("docs/algorithms.md"))
+                self.assertIn(f"\n| {label} | {' | '.join(told)} |\n", page("results/reference/bounds.md"))
 
     def test_lower_bounds_are_those_of_the_committed_study(self):
         """What docs/lower-bounds.md says of random 4-regular graphs by `compact`; the bound of every row."""
