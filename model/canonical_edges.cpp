@@ -1,14 +1,12 @@
-// Brings edges into canonical order and makes adjacency lists, by counting sorts in linear time.
-// Many edges are dealt to bins first, so that each sort stays within the caches.
+// Brings edges into canonical order and makes adjacency lists, in linear time: a counting sort by
+// the smaller end, then the edges of every smaller end by the larger one, few where degrees are
+// small. Many edges are dealt to bins first, so that each sort stays within the caches.
 #include "ar3d/model/canonical_edges.h"
 
 #include <array>
 #include <functional>
 
 #include "ar3d/base/parallel.h"
-
-// Counting sort by the smaller end, then the edges of every smaller end sorted by the larger one:
-// they are few where degrees are small. Many edges are dealt to bins first.
 
 namespace ar3d {
 

@@ -1,7 +1,8 @@
 // Step E.4: who meets anything older. Slabs of heights are gone through one after the other; what
 // reaches into one is cut at rows of y, and each piece is compared with those of its row that begin
 // before it ends along x: first modulo 2^16, several pairs at a time, then exactly, in up to 256
-// bits. So the answer is that of exact arithmetic alone. Cost: near n^1.5.
+// bits. So the answer is that of exact arithmetic alone. Cost: near n^1.5. Dropped: rows of equal
+// width, since most middles pass near y = 0, and slabs for few middles, all of which are compared.
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 
 #include <algorithm>

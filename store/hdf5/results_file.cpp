@@ -21,8 +21,8 @@
 // READING. HDF5 sees no damaged file: the checksum is verified before. Since a checksum can be
 // forged and HDF5 crashes on some files, it sees none in this process either: a child opens the
 // file and answers with records, 512 at once. HDF5 cuts the checksum off where it opens a file for
-// writing; then all that is read has to have the hash in rows_hash. Links, foreign filters, huge chunks and more records
-// than the bytes can hold are refused there before anything is allocated (hdf5_table.cpp).
+// writing; then all that is read has to have the hash in rows_hash. Links, foreign filters, huge
+// chunks and more records than the bytes can hold are refused there (hdf5_table.cpp).
 #include "ar3d/store/hdf5/results_file.h"
 
 #include <fcntl.h>

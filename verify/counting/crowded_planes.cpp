@@ -1,6 +1,7 @@
 // Horizontal against vertical segments by a plane sweep over the columns. It counts and does not
 // name what it finds, so the active rows need no search tree, and a plane with a quadratic number
-// of meetings costs no more than one without any. Source: Fenwick, A new data structure for
+// of meetings costs no more than one without any. For up to 160 comparisons per record, comparing
+// several at a time was faster (plane_counts.cpp). Source: Fenwick, A new data structure for
 // cumulative frequency tables (1994).
 #include "ar3d/verify/counting/crowded_planes.h"
 

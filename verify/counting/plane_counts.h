@@ -14,11 +14,9 @@ namespace ar3d::verify {
 
 /// Sizes that decide which way is taken, never what is counted; tests set them small.
 struct CountingSizes {
-  std::size_t bucket =
-      6000;  ///< records that a bucket should have: they fit the second-level cache
-  std::size_t crowded =
-      32;  ///< rows of a bin from which its columns are sorted, too; five times as
-           ///< many comparisons per record are left to a plane sweep
+  std::size_t bucket = 6000;  ///< records of a bucket: they fit the second-level cache
+  std::size_t crowded = 32;   ///< rows of a bin from which its columns are sorted, too; five times
+                              ///< as many comparisons per record are left to a plane sweep
   std::uint64_t memory = 0;   ///< bytes of segments and records at a time; 0: no limit
   std::uint32_t threads = 1;  ///< that count; each has records of its own
 };

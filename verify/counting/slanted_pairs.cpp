@@ -1,5 +1,6 @@
 // Steps V.11 to V.14 of docs/verify.md. Where long segments are vertical, few of the others are at
-// one height, and nearly all of these have boxes apart. Where they are not, space is halved.
+// one height, and nearly all of these have boxes apart. Where they are not, space is halved: too
+// many are at one height to compare all pairs of them.
 #include <algorithm>
 #include <tuple>
 

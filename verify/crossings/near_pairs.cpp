@@ -1,5 +1,6 @@
 // Where space is halved, so that few segments are cut, and filters in double that drop pairs which
-// surely do not meet; Lemmas V.9 and V.10 bound their errors.
+// surely do not meet; Lemmas V.9 and V.10 bound their errors. The filter of Lemma V.9 alone leaves
+// all pairs of one plane to exact arithmetic: 10,000 segments in a plane took 47 s.
 #include "ar3d/verify/crossings/near_pairs.h"
 
 namespace ar3d::verify {

@@ -1,9 +1,8 @@
 // The closest pair by sorting instead of a tree of boxes. The vertices are sorted along the
 // widest axis; the smallest distance of two that are consecutive there bounds the smallest of all.
 // So the two vertices searched for are in one strip of that width or in two consecutive ones, and
-// within each strip, sorted along the second widest axis, not far from each other. Pairs that are
-// too far apart along one axis to be as close as kLongest are not multiplied out, so coordinates
-// may have any size. Only the order is stored, and the vertices of two strips at a time.
+// within each strip, sorted along the second widest axis, not far from each other. Pairs farther
+// apart than kLongest along an axis are not multiplied out, so coordinates may have any size.
 #include <algorithm>
 #include <array>
 #include <cstdlib>

@@ -8,9 +8,8 @@
 //
 // Both steps walk along chains: Step 1.1 twice along chains of linked edges, to orient and to
 // colour them, and Step 1.2 along the paths and cycles of one colour. Each step of a walk reads a
-// place in memory that only the step before it knows. So a walk waits for the memory at every step,
-// which in a large graph is most of the time of the whole drawing. Many walks at a time do not
-// wait: each asks for its next place, and while the memory sends it the others step.
+// place in memory that only the step before it knows, so one walk waits for the memory at every
+// step. Of many walks at a time each prefetches its next place, and the others step meanwhile.
 //
 //   cut      A vertex whose number is a multiple of the stride. A long chain is cut there, since
 //            one chain may have all edges, and one walk along it would gain nothing.
@@ -25,12 +24,11 @@
 //            smallest port.
 //   marks    Two bits for each pair of entries, or vertex: nothing is known of it, or one bit is.
 //            They are written along the pieces, and stay in the cache where the graph does not.
+//            Records of 16 bytes at random places were dropped for them.
 //
 // A closed chain that passes no cut is walked from each of its vertices, in lanes, too; a walk that
 // comes to a smaller vertex than its first stops there, as another walk begins or has begun at it.
-//
-// marks_and_lanes.h has the marks and the lanes, links.h and trails.h the walks of Step 1.1,
-// colouring.cpp their results, items.cpp Step 1.2.
+// What a lane keeps stays where it was written: copying it took 4 to 6 % of the drawing (n = 10^5).
 
 #include "ar3d/algorithms/diamond/colouring.h"
 #include "ar3d/algorithms/diamond/items.h"
