@@ -88,7 +88,7 @@ int replay_row(const ReplayArguments& arguments) {
 
 int replay_rows(const ReplayArguments& arguments) {
   const Results results = read_results(arguments.results);
-  const std::vector<std::size_t> places = sample_of_rows(
+  const std::vector<std::size_t> rows = sample_of_rows(
       results.runs, arguments.all ? results.runs.size() : *arguments.sample, arguments.seed);
   if (results.source_hash != source_hash()) {
     note(stderr, "ar3d: the rows were made by source {}, this is {}\n", results.source_hash,
@@ -96,8 +96,8 @@ int replay_rows(const ReplayArguments& arguments) {
   }
   std::size_t done = 0;
   const bool terminal = isatty(fileno(stderr)) == 1 && !manner.quiet;
-  const SelfCheck check = selfcheck(results.runs, places, study_origin(results), [&](std::size_t) {
-    if (terminal) std::fprintf(stderr, "\r%zu of %zu rows made again", ++done, places.size());
+  const SelfCheck check = selfcheck(results.runs, rows, study_origin(results), [&](std::size_t) {
+    if (terminal) std::fprintf(stderr, "\r%zu of %zu rows made again", ++done, rows.size());
   });
   if (terminal) say(stderr, "\n");
   nlohmann::ordered_json differing = nlohmann::ordered_json::array();
@@ -108,15 +108,15 @@ int replay_rows(const ReplayArguments& arguments) {
          run.algorithm, run.options, fmt::join(columns, " "));
   }
   tell({{"rows", results.runs.size()},
-        {"replayed", places.size()},
+        {"replayed", rows.size()},
         {"violated", check.violated},
         {"differing", differing}},
-       "{} of {} rows made again: {} equal bit for bit, {} not, {} violated\n", places.size(),
-       results.runs.size(), places.size() - check.irreproducible.size(),
-       check.irreproducible.size(), check.violated);
+       "{} of {} rows made again: {} equal bit for bit, {} not, {} violated\n", rows.size(),
+       results.runs.size(), rows.size() - check.irreproducible.size(), check.irreproducible.size(),
+       check.violated);
   if (check.violated > 0) return kViolated;
   if (!check.irreproducible.empty()) return kRegression;
-  return !places.empty() ? kPass : kIncomplete;
+  return !rows.empty() ? kPass : kIncomplete;
 }
 
 int replay(const ReplayArguments& arguments) {

@@ -92,9 +92,9 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
   for (const GraphFileRecord& file : side_records<GraphFileRecord>(analysis.rows.identity())) {
     if (file.graphs > kMostGraphs) too_large.insert(file.name);
   }
-  for (const std::size_t place : rows_to_show(analysis, kMostDrawings, kMostEdges)) {
+  for (const std::size_t index : rows_to_show(analysis, kMostDrawings, kMostEdges)) {
     if (text.size() - empty > kMostBytes) break;
-    const RunRecord row = analysis.rows.run(place);
+    const RunRecord row = analysis.rows.run(index);
     if (too_large.contains(row.family)) continue;
     const std::optional<Drawing> drawing = drawn_again(row, origin);
     if (!drawing) continue;
@@ -105,7 +105,7 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
                     name, row.options.empty() ? "" : ", ", row.options, row.n,
                     name.empty() ? fmt::format(", seed {}", row.seed) : "");
     page.add(page_entry(title, *drawing, &algorithm.guarantee, page_verdict(*drawing, &algorithm)));
-    shown.page_of_row.emplace(place, shown.page_of_row.size());
+    shown.page_of_row.emplace(index, shown.page_of_row.size());
   }
   if (shown.page_of_row.empty()) return shown;
   page.finish();

@@ -27,13 +27,13 @@ UnwrittenVector<Number> permutation_by_buckets(std::uint64_t count, std::uint64_
       kMostBucketBits, static_cast<unsigned>(std::bit_width((count - 1) / kMostInOneBucket)));
   const std::uint64_t buckets = std::uint64_t{1} << bits;
   const std::uint64_t chunks = (count + kChunk - 1) / kChunk;
-  std::vector<std::uint32_t> places(chunks << bits);  // of the next number, by chunk and bucket
+  std::vector<std::uint32_t> indices(chunks << bits);  // of the next number, by chunk and bucket
   const std::uint32_t threads = threads_for(count);
-  // Calls use(place of its bucket in its chunk, number) for each number. A random word lasts for
+  // Calls use(index of its bucket in its chunk, number) for each number. A random word lasts for
   // several of them.
   const auto deal = [&](auto use) {
     for_each_in_threads(threads, chunks, [&](std::uint32_t, std::uint64_t chunk) {
-      std::uint32_t* const own = places.data() + (chunk << bits);
+      std::uint32_t* const own = indices.data() + (chunk << bits);
       const std::uint32_t mask = (1u << bits) - 1;
       const unsigned width = bits;
       RandomStream random(seed, chunk);
@@ -51,19 +51,19 @@ UnwrittenVector<Number> permutation_by_buckets(std::uint64_t count, std::uint64_
       }
     });
   };
-  deal([](std::uint32_t& place, std::uint64_t) { ++place; });
+  deal([](std::uint32_t& index, std::uint64_t) { ++index; });
   std::uint32_t next = 0;
   for (std::uint64_t bucket = 0; bucket < buckets; ++bucket) {
     for (std::uint64_t chunk = 0; chunk < chunks; ++chunk) {
-      next += std::exchange(places[(chunk << bits) + bucket], next);
+      next += std::exchange(indices[(chunk << bits) + bucket], next);
     }
   }
   UnwrittenVector<Number> numbers(count);
-  deal([&](std::uint32_t& place, std::uint64_t number) {
-    numbers[place++] = static_cast<Number>(number);
+  deal([&](std::uint32_t& index, std::uint64_t number) {
+    numbers[index++] = static_cast<Number>(number);
   });
-  // After all is dealt, the last chunk's place of a bucket is the bucket's end.
-  const std::uint32_t* const ends = places.data() + ((chunks - 1) << bits);
+  // After all is dealt, the last chunk's index of a bucket is the bucket's end.
+  const std::uint32_t* const ends = indices.data() + ((chunks - 1) << bits);
   for_each_in_threads(threads, buckets, [&](std::uint32_t, std::uint64_t bucket) {
     const std::uint64_t begin = bucket == 0 ? 0 : ends[bucket - 1];
     RandomStream random(seed, chunks + bucket);

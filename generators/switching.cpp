@@ -171,7 +171,7 @@ bool SwitchedPairing::find_defects() {
 std::vector<Edge> SwitchedPairing::edges() const {
   const Count chunks = (n_ + kVertexChunk - 1) / kVertexChunk;
   const Count chunk_points = kVertexChunk * d_;
-  std::vector<Count> place(chunks + 1, 0);  // of each chunk's first edge
+  std::vector<Count> first(chunks + 1, 0);  // of each chunk's first edge
   std::vector<Edge> edges(partner_.size() / 2);
   const auto for_each_edge = [&](Count chunk, auto&& use) {
     const Count end = std::min<Count>(partner_.size(), (chunk + 1) * chunk_points);
@@ -181,11 +181,11 @@ std::vector<Edge> SwitchedPairing::edges() const {
     }
   };
   for_each_in_threads(threads_for(n_), chunks, [&](std::uint32_t, Count i) {
-    for_each_edge(i, [&](Edge) { ++place[i + 1]; });
+    for_each_edge(i, [&](Edge) { ++first[i + 1]; });
   });
-  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::partial_sum(first.begin(), first.end(), first.begin());
   for_each_in_threads(threads_for(n_), chunks, [&](std::uint32_t, Count i) {
-    Edge* next = edges.data() + place[i];
+    Edge* next = edges.data() + first[i];
     for_each_edge(i, [&](Edge e) { *next++ = e; });
   });
   return edges;

@@ -28,7 +28,7 @@ inline bool worth_binning(std::uint64_t n, std::uint64_t edges) {
   return edges >= std::uint64_t{1} << 16 && n > kBinVertices;
 }
 
-/// The chunks and bins of many edges, and the places of the items of each chunk in each bin.
+/// The chunks and bins of many edges, and the indices of the items of each chunk in each bin.
 class Bins {
  public:
   Bins(std::uint64_t n, std::span<const Edge> edges)
@@ -37,7 +37,7 @@ class Bins {
         bins_((n + kBinVertices - 1) / kBinVertices),
         chunks_((edges.size() + kChunkEdges - 1) / kChunkEdges),
         threads_(threads_for(edges.size())),
-        places_((chunks_ + 1) * bins_) {}
+        indices_((chunks_ + 1) * bins_) {}
 
   std::uint64_t bins() const { return bins_; }
   std::uint64_t chunks() const { return chunks_; }
@@ -51,38 +51,40 @@ class Bins {
     return edges_.subspan(first, std::min(kChunkEdges, edges_.size() - first));
   }
 
-  /// One number for each bin: while counting, how many items of the chunk it gets; after place(),
+  /// One number for each bin: while counting, how many items of the chunk it gets; after make_indices(),
   /// where the first of them stands. Row chunks() then has the ends of the bins' items.
-  std::uint32_t* places(std::uint64_t chunk) { return places_.data() + chunk * bins_; }
-  const std::uint32_t* places(std::uint64_t chunk) const { return places_.data() + chunk * bins_; }
-  std::uint32_t begin(std::uint64_t bin) const { return places(0)[bin]; }
-  std::uint32_t end(std::uint64_t bin) const { return places(chunks_)[bin]; }
+  std::uint32_t* indices(std::uint64_t chunk) { return indices_.data() + chunk * bins_; }
+  const std::uint32_t* indices(std::uint64_t chunk) const {
+    return indices_.data() + chunk * bins_;
+  }
+  std::uint32_t begin(std::uint64_t bin) const { return indices(0)[bin]; }
+  std::uint32_t end(std::uint64_t bin) const { return indices(chunks_)[bin]; }
 
   /// Counts one item for each edge, in the bin of the end that bin_end(edge) gives.
   template <class BinEnd>
   void count(BinEnd bin_end) {
     for_each_in_threads(threads_, chunks_, [&](std::uint32_t, std::uint64_t chunk) {
-      std::uint32_t* const counts = places(chunk);
+      std::uint32_t* const counts = indices(chunk);
       for (const Edge edge : edges_of(chunk)) ++counts[bin_end(edge) >> kBinBits];
     });
   }
-  /// Turns counts into places; behind its items every bin has room for as many more as room(bin).
+  /// Turns counts into indices; behind its items every bin has room for as many more as room(bin).
   template <class Room>
-  void place(Room room) {
-    std::uint32_t place = 0;
+  void make_indices(Room room) {
+    std::uint32_t index = 0;
     for (std::uint64_t bin = 0; bin < bins_; ++bin) {
       for (std::uint64_t chunk = 0; chunk < chunks_; ++chunk) {
-        place += std::exchange(places(chunk)[bin], place);
+        index += std::exchange(indices(chunk)[bin], index);
       }
-      places(chunks_)[bin] = place;
-      place += room(bin);
+      indices(chunks_)[bin] = index;
+      index += room(bin);
     }
   }
-  /// Calls put(edge, number in the chunk, place) for every edge.
+  /// Calls put(edge, number in the chunk, index) for every edge.
   template <class BinEnd, class Put>
   void deal(BinEnd bin_end, Put put) const {
     for_each_in_threads(threads_, chunks_, [&](std::uint32_t, std::uint64_t chunk) {
-      std::vector<std::uint32_t> next(places(chunk), places(chunk) + bins_);
+      std::vector<std::uint32_t> next(indices(chunk), indices(chunk) + bins_);
       std::uint32_t number = 0;
       for (const Edge edge : edges_of(chunk))
         put(edge, number++, next[bin_end(edge) >> kBinBits]++);
@@ -95,7 +97,7 @@ class Bins {
   std::uint64_t bins_;
   std::uint64_t chunks_;
   std::uint32_t threads_;
-  std::vector<std::uint32_t> places_;
+  std::vector<std::uint32_t> indices_;
 };
 
 Edge turned(Edge edge) { return {std::min(edge.u, edge.v), std::max(edge.u, edge.v)}; }
@@ -108,13 +110,13 @@ bool sort_edges_of_row(Edge* begin, Edge* end) {
 }
 
 /// Sorts the edges of `from`, whose smaller ends are first..first + counts.size() - 1, into `to`.
-/// @param counts  zeros; ends with the place behind the edges of each smaller end.
+/// @param counts  zeros; ends with the index after the edges of each smaller end.
 /// @return the first smaller end of a pair that stands twice; first + counts.size() if none does.
 std::uint64_t sort_by_counting(std::span<const Edge> from, Edge* to, std::uint64_t first,
                                std::span<std::uint32_t> counts) {
   for (const Edge edge : from) ++counts[small_end(edge) - first];
-  std::uint32_t place = 0;
-  for (std::uint32_t& count : counts) place += std::exchange(count, place);
+  std::uint32_t index = 0;
+  for (std::uint32_t& count : counts) index += std::exchange(count, index);
   for (const Edge edge : from) to[counts[small_end(edge) - first]++] = turned(edge);
   std::uint64_t twice = counts.size();
   Edge* row = to;
@@ -131,9 +133,9 @@ std::uint64_t sort_in_bins(std::uint64_t n, std::span<const Edge> edges,
                            UnwrittenVector<Edge>& sorted) {
   Bins bins(n, edges);
   bins.count(small_end);
-  bins.place([](std::uint64_t) { return 0u; });
+  bins.make_indices([](std::uint64_t) { return 0u; });
   bins.deal(small_end,
-            [&](Edge edge, std::uint32_t, std::uint32_t place) { sorted[place] = turned(edge); });
+            [&](Edge edge, std::uint32_t, std::uint32_t index) { sorted[index] = turned(edge); });
   std::vector<std::uint64_t> twice(bins.threads(), n);
   std::vector<UnwrittenVector<Edge>> dealt(bins.threads());
   for_each_in_threads(bins.threads(), bins.bins(), [&](std::uint32_t thread, std::uint64_t bin) {
@@ -161,10 +163,10 @@ std::uint32_t count_lists(std::uint64_t n, std::span<const Edge> edges, std::uin
     ++offsets[u];
     ++offsets[v];
   }
-  std::uint32_t place = 0, max_degree = 0;
+  std::uint32_t index = 0, max_degree = 0;
   for (std::uint64_t v = 0; v < n; ++v) {
     max_degree = std::max(max_degree, offsets[v]);
-    place = offsets[v] += place;
+    index = offsets[v] += index;
   }
   for (std::size_t e = edges.size(); e-- > 0;) {
     const auto [u, v] = edges[e];
@@ -190,9 +192,9 @@ class BinnedLists {
   std::uint32_t build() {
     const auto large_end = [](Edge edge) { return edge.v; };
     bins_.count(large_end);
-    bins_.place([&](std::uint64_t bin) { return first_edge_[bin + 1] - first_edge_[bin]; });
-    bins_.deal(large_end, [&](Edge edge, std::uint32_t number, std::uint32_t place) {
-      half_edges_[place] = {edge.u, (edge.v & kInBin) << kChunkBits | number};
+    bins_.make_indices([&](std::uint64_t bin) { return first_edge_[bin + 1] - first_edge_[bin]; });
+    bins_.deal(large_end, [&](Edge edge, std::uint32_t number, std::uint32_t index) {
+      half_edges_[index] = {edge.u, (edge.v & kInBin) << kChunkBits | number};
     });
     std::vector<std::uint32_t> max_degree(bins_.threads(), 0);
     std::vector<UnwrittenVector<HalfEdge>> dealt(bins_.threads());
@@ -215,15 +217,15 @@ class BinnedLists {
     for (const HalfEdge& half : dealt) ++next[half.edge >> kChunkBits];
     for (const Edge edge : forward) ++next[edge.u - first];
     const std::uint32_t max_degree = *std::max_element(next.begin(), next.end());
-    std::uint32_t place = begin;
+    std::uint32_t index = begin;
     for (std::uint64_t v = first; v < bins_.end_vertex(bin); ++v) {
-      place += std::exchange(next[v - first], place);
+      index += std::exchange(next[v - first], index);
       offsets_[v] = next[v - first];
     }
     std::size_t i = 0;
     for (std::uint64_t chunk = 0; chunk < bins_.chunks(); ++chunk) {
       const auto first_edge = static_cast<EdgeId>(chunk * kChunkEdges);
-      for (const std::size_t stop = bins_.places(chunk + 1)[bin] - begin; i < stop; ++i) {
+      for (const std::size_t stop = bins_.indices(chunk + 1)[bin] - begin; i < stop; ++i) {
         const auto [to, packed] = dealt[i];
         half_edges[next[packed >> kChunkBits]++] = {to, first_edge | (packed & kInChunk)};
       }
@@ -272,7 +274,7 @@ std::uint64_t make_canonical(std::uint64_t n, std::vector<Edge>& edges) {
 // go to its larger ones, ascending: filled in order of the edges, lists ascend. The edges to larger
 // neighbours stand side by side already; of many edges, only the half-edges at the larger ends are
 // dealt to bins. A dealt half-edge holds its vertex within the bin and its edge
-// within the chunk in place of the edge; bin and chunk follow from its place.
+// within the chunk in place of the edge; bin and chunk follow from its index.
 
 std::uint32_t make_adjacency_lists(std::uint64_t n, std::span<const Edge> edges,
                                    UnwrittenVector<std::uint32_t>& offsets,

@@ -48,13 +48,13 @@ int add_positions(Buffer& buffer, const Drawing& drawing, Point low) {
   std::array<float, 3> least{}, most{};
   for_each_export_point(drawing, [&](Point p) {
     const Real3 q = embed(p - low);
-    const std::array<float, 3> place = {static_cast<float>(q.x), static_cast<float>(q.y),
-                                        static_cast<float>(q.z)};
+    const std::array<float, 3> position = {static_cast<float>(q.x), static_cast<float>(q.y),
+                                           static_cast<float>(q.z)};
     for (std::size_t i = 0; i < 3; ++i) {
-      least[i] = values.empty() ? place[i] : std::min(least[i], place[i]);
-      most[i] = values.empty() ? place[i] : std::max(most[i], place[i]);
+      least[i] = values.empty() ? position[i] : std::min(least[i], position[i]);
+      most[i] = values.empty() ? position[i] : std::max(most[i], position[i]);
     }
-    values.insert(values.end(), place.begin(), place.end());
+    values.insert(values.end(), position.begin(), position.end());
   });
   return buffer.add(values, 3, kVertexBuffer, {{"min", least}, {"max", most}});
 }

@@ -174,8 +174,8 @@ class DrawingEvents {
     if (error.id == 406 && !of_answer_) return number_float(0, token);  // no double holds it
     std::string reason =
         error.what();  // "[json.exception.…] parse error at line 1, column 5: syntax error …"
-    const std::size_t place_end = reason.find(": ");
-    if (place_end != std::string::npos) reason.erase(0, place_end + 2);
+    const std::size_t position_end = reason.find(": ");
+    if (position_end != std::string::npos) reason.erase(0, position_end + 2);
     std::replace(reason.begin(), reason.end(), '\n', ' ');
     throw SyntaxError(at, reason);
   }
@@ -197,13 +197,13 @@ class DrawingEvents {
   };
 
   /// "vertices[5]" for messages.
-  std::string place() const {
+  std::string path() const {
     std::string text = kKeyNames[static_cast<int>(key_)];
     for (const std::uint64_t item : items_) text += fmt::format("[{}]", item);
     return text;
   }
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(key_ == Key::none ? problem : fmt::format("{}: {}", place(), problem));
+    throw InputError(key_ == Key::none ? problem : fmt::format("{}: {}", path(), problem));
   }
   /// About the innermost open array as a whole.
   [[noreturn]] void fail_list(const std::string& problem) {

@@ -164,7 +164,7 @@ Vertex GatheredGraph::vertex(std::string_view id) {
 
 void GatheredGraph::join(Vertex u, Vertex v, std::size_t at) {
   edges_.push_back({u, v});
-  places_.push_back(at);
+  positions_.push_back(at);
 }
 
 bool GatheredGraph::is_joined_to_first_edge() const {
@@ -178,7 +178,7 @@ void GatheredGraph::drop_first_edge() {
   GatheredGraph rest;
   for (std::size_t e = 1; e < edges_.size(); ++e) {
     const Vertex u = rest.vertex(texts_[edges_[e].u]);
-    rest.join(u, rest.vertex(texts_[edges_[e].v]), places_[e]);
+    rest.join(u, rest.vertex(texts_[edges_[e].v]), positions_[e]);
   }
   *this = std::move(rest);
 }
@@ -188,7 +188,7 @@ Graph GatheredGraph::finish(const ReadOptions& options, bool merge,
   const auto is_loop = [](const Edge& edge) { return edge.u == edge.v; };
   const auto refuse = [&](std::size_t edge, const char* problem) {
     const auto [u, v] = edges_[edge];
-    fail(places_[edge],
+    fail(positions_[edge],
          fmt::format("edge ({}, {}) is {}", shown(texts_[u]), shown(texts_[v]), problem));
   };
   if (!options.simplify) {

@@ -86,7 +86,7 @@ class GatheredGraph {
   std::deque<std::string> names_;
   NodeIds ids_;
   std::vector<Edge> edges_;
-  std::vector<std::size_t> places_;
+  std::vector<std::size_t> positions_;
 };
 
 }  // namespace ar3d

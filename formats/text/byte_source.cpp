@@ -51,9 +51,9 @@ class FileBytes final : public ByteSource {
   std::uint64_t bytes_left() const override {
     struct stat status {};
     if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
-    const off_t place = ::lseek(fd_, 0, SEEK_CUR);
-    if (place < 0 || place > status.st_size) return 0;
-    return static_cast<std::uint64_t>(status.st_size - place);
+    const off_t offset = ::lseek(fd_, 0, SEEK_CUR);
+    if (offset < 0 || offset > status.st_size) return 0;
+    return static_cast<std::uint64_t>(status.st_size - offset);
   }
 
  private:
