@@ -139,6 +139,7 @@ struct CurveTally {
   /// Is the volume over volume_at_least, median of the same graphs; missing if the rows lack that
   /// column.
   double volume_over_least = kMissing;
+  double times_the_optimum = kMissing;  ///< of all graphs that have it, median
   std::string theorem_formula;    ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
   std::string published_formula;  ///< empty if no bound is published
 

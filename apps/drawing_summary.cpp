@@ -41,6 +41,7 @@ Examination examine_all(const Graph& graph, const Drawing& drawing, const Guaran
                              examination.summary);
   }
   examination.summary.volume_at_least = volume_at_least(graph, guarantee);
+  examination.summary.optimum = known_optimum(graph, guarantee);
   return examination;
 }
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
@@ -17,6 +18,7 @@
 #include <new>
 #include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -36,6 +38,9 @@ namespace {
 
 constexpr std::uint64_t kMostThreads = 1024;                     // as --threads
 constexpr std::uint64_t kLeastStack = 64, kMostStack = 1 << 20;  // of a thread, in KiB
+
+constexpr std::array<std::string_view, 8> kReadResults = {"check", "compare", "figures", "history",
+                                                          "merge", "replay",  "report",  "resume"};
 
 constexpr const char* kExamples = R"(Examples:
   ar3d study run quick
@@ -146,12 +151,16 @@ void add_help(CLI::App& app) {
   });
 }
 
-/// Adds -q to every verb without its own. An empty list is no default to show, nor is -1, which
+/// Adds -q to every verb without its own, and --accept-changed to those that read results files. An empty list is no default to show, nor is -1, which
 /// stands for what is found out.
 void complete_verbs(CLI::App& app) {
   const std::vector<CLI::App*> verbs = app.get_subcommands([](CLI::App*) { return true; });
   if (verbs.empty() && app.get_name() != "help" && app.get_option_no_throw("-q") == nullptr) {
     app.add_flag("-q,--quiet", ar3d::manner.quiet, "no progress or notes on standard error");
+  }
+  if (std::ranges::find(kReadResults, app.get_name()) != kReadResults.end()) {
+    app.add_flag("--accept-changed", ar3d::accept_changed_results,
+                 "also read results whose rows another program may have changed");
   }
   for (CLI::Option* option : app.get_options()) {
     const std::string shown = option->get_default_str();

@@ -171,10 +171,11 @@ const growthTable = rows => {
   if (!grown.length) return null;
   return folded("Growth, and how sure it is", rows.length <= kMostOpenRows, element("p", {class: "muted"},
     "Exponent a of n^a over the fitted sizes, with its 95 % interval and its label; the interval of a power law covers larger n, too. Volume is the number of lattice points of the box, " +
-    "here also at the largest n as its share of the theorem's own box, and over what any drawing with this guarantee needs. Bends per edge are those at the largest n."), makeTable([
+    "here also at the largest n as its share of the theorem's own box, and over what any drawing with this guarantee needs; small graphs also over their known optimum, median. Bends per edge are those at the largest n."), makeTable([
     {name: "Family", show: row => row.label}, column("longest side"), column("volume"),
     {name: "Share of the theorem's", value: row => row.volume_share, show: row => percent(row.volume_share)},
     {name: "Over the least", value: row => row.volume_over_least, show: row => number(row.volume_over_least)},
+    ...grown.some(row => row.times_the_optimum !== null) ? [{name: "Times the optimum", value: row => row.times_the_optimum, show: row => number(row.times_the_optimum)}] : [],
     {name: "Bends per edge", value: row => lastBends(row.curve), show: row => number(lastBends(row.curve))},
     ...isTimed ? [column("drawing time"), {name: "Why, and the fit of the time", css: "note", show: row => timeLabel(of("drawing time")(row))}] : [],
   ], grown, row => ({"data-f": row.curve})));

@@ -190,8 +190,9 @@ void fill_bounds(const StudyAnalysis& analysis, const std::vector<Section>& sect
       for (const auto slack : kSlacks) row.emplace_back(axis.*slack);
     }
     const auto worst = worst_axis(entry);
-    row.insert(row.end(), {entry.log2_volume, entry.volume_share, entry.volume_over_least,
-                           worst ? show(entry.key, entry.axes[*worst].worst) : ""});
+    row.insert(row.end(),
+               {entry.log2_volume, entry.volume_share, entry.volume_over_least,
+                entry.times_the_optimum, worst ? show(entry.key, entry.axes[*worst].worst) : ""});
     if (const auto at = places.find(i); at != places.end()) add_page_cells(*at->second, show, row);
     row.resize(table.columns.size());
     table.add(std::move(row));

@@ -33,6 +33,12 @@ void add_medians(std::size_t axis, CurveTally& curve) {
 }
 
 void add_volume(CurveTally& curve) {
+  std::vector<double> over_optimum;
+  for_each_graph(curve, [&](const DrawnGraph& graph) {
+    const double times = metric_of(graph, "times_the_optimum");
+    if (times > 0) over_optimum.push_back(times);
+  });
+  curve.times_the_optimum = median(std::move(over_optimum));
   const auto last = std::find_if(curve.sizes.rbegin(), curve.sizes.rend(),
                                  [](const auto& size) { return size.second.drawn > 0; });
   if (last == curve.sizes.rend()) return;

@@ -234,6 +234,7 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
     if (!needs_) needs_ = needs_of(*graph_);
     if (request.bisect && base_.instance_index == 0) seek_bisection(*graph_, guarantee, *needs_);
     examination.summary.volume_at_least = volume_at_least(*needs_, guarantee);
+    examination.summary.optimum = known_optimum(*graph_, guarantee);
   }
   set_metrics(examination.summary, run);
   if (is_judged) {

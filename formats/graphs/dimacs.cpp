@@ -1,5 +1,5 @@
 // DIMACS: "p edge N M" or "p col N M" with lines "e u v"; "p sp N M" with arcs "a u v [weight]"
-// both ways.
+// both ways. Reference: igraph (Read_DIMACS) for "p edge"; the 9th DIMACS challenge has "p sp".
 #include <fmt/format.h>
 
 #include <limits>

@@ -1,5 +1,5 @@
 // Groups of six bits, the number of vertices, and graph6, whose bits are the upper triangle of the
-// adjacency matrix.
+// adjacency matrix. Reference: nauty (copyg, showg).
 #include "ar3d/formats/graphs/graph6.h"
 
 #include <algorithm>

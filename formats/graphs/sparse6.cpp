@@ -1,4 +1,5 @@
 // sparse6 and incremental sparse6: edges in ascending order as moves of a current vertex.
+// Reference: nauty (copyg -s, copyg -i, showg).
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -325,16 +325,25 @@ RunReader::RunReader(const std::string& path)
     throw InputError(fmt::format("{} is damaged: it cannot hold {} rows", path, size_));
   }
   if (is_checked_) return;
-  if (hash.empty() || hash != rows_hash(std::string_view(answer).substr(first + 1))) {
-    throw InputError(fmt::format("{} is not a readable results file: {}, and {}", path, kCutOff,
-                                 hash.empty() ? "it has no rows_hash, as those of earlier programs"
-                                              : "its rows are not those of its rows_hash"));
+  if (!hash.empty() && hash == rows_hash(std::string_view(answer).substr(first + 1))) {
+    note_on_results(
+        fmt::format("{} was opened for writing by another program, which cut its "
+                    "checksum off; its rows are those that it was written with, by their hash",
+                    path));
+    return;
   }
-  note_on_results(
-      fmt::format("{} was opened for writing by another program, which cut its checksum off; its "
-                  "rows are those "
-                  "that it was written with, by their hash",
-                  path));
+  const std::string cause =
+      fmt::format("{}, and {}", kCutOff,
+                  hash.empty() ? "it has no rows_hash, as those of earlier programs"
+                               : "its rows are not those of its rows_hash");
+  if (!accept_changed_results) {
+    throw InputError(
+        fmt::format("{} is not a readable results file: {}; --accept-changed reads it with its "
+                    "rows as they are",
+                    path, cause));
+  }
+  note_on_results(fmt::format(
+      "{}: {}; its rows are read as they are; nothing says that the study made them", path, cause));
 }
 
 std::string RunReader::rows_hash(std::string_view description) {

@@ -14,10 +14,13 @@ namespace ar3d {
 /// Takes a note on each file that is read though another program has opened it for writing.
 inline std::function<void(const std::string& note)> note_on_results = [](const std::string&) {};
 
+/// Is a file read whose rows another program may have changed? Set once, before files are read.
+inline bool accept_changed_results = false;
+
 /// Represents a results file, read record by record. Memory: a few hundred rows, however many there are.
 /// The file's checksum is verified before HDF5 sees the file, and HDF5 sees it in a process of
 /// its own, so that nothing that another program has written can crash or hang this one. Without the
-/// checksum all rows are read and compared with their hash. The page results/SCHEMA.md describes the file.
+/// checksum all rows are read and compared with their hash, unless changed files are accepted. The page results/SCHEMA.md describes the file.
 class RunReader {
  public:
   /// @throws InputError naming the file and what is wrong with it: missing, not HDF5, damaged, held

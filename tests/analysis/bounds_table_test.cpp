@@ -76,9 +76,12 @@ TEST(BoundsTable, VolumesAreSetAgainstTheLeastPossible) {
   EXPECT_TRUE(std::isnan(curves_of(results).at(0).volume_over_least)) << "no such column";
   for (ar3d::RunRecord& run : results.runs) {
     const std::int64_t least = 256;
-    set_volume_at_least(least, run);
+    set_metric("volume_at_least", least, run);
   }
   EXPECT_NEAR(curves_of(results).at(0).volume_over_least, 2048.0 / 256, 1e-9);
+  EXPECT_TRUE(std::isnan(curves_of(results).at(0).times_the_optimum)) << "not known";
+  set_metric("times_the_optimum", 7.5, results.runs[0]);
+  EXPECT_EQ(curves_of(results).at(0).times_the_optimum, 7.5);
 }
 
 TEST(BoundsTable, OneEntryForEachAlgorithmOptionsFamilyAndParameters) {

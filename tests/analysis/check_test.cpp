@@ -67,7 +67,7 @@ TEST(Check, VolumesBelowTheLeastPossibleAreViolations) {
   Results results = good_results({"diamond"}, {"cubic"}, 1, 1);
   results.runs[0].log2_volume = 10;
   for (const std::int64_t least : {1024, 1025}) {
-    set_volume_at_least(least, results.runs[0]);
+    set_metric("volume_at_least", least, results.runs[0]);
     EXPECT_EQ(check(results).exit_code(), least == 1024 ? 0 : 4);
   }
   EXPECT_EQ(check(results).findings.at(0).message,

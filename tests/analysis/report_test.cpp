@@ -184,7 +184,7 @@ TEST(Report, VolumesLieInABandBetweenTheirBounds) {
       << "rows of earlier programs have no bound from below";
   for (ar3d::RunRecord& run : results.runs) {
     const std::int64_t least = run.n * run.n * run.n;
-    set_volume_at_least(least, run);
+    set_metric("volume_at_least", least, run);
     run.log2_volume = std::log2(8.0 * static_cast<double>(least));
   }
   const auto bands = tables_of(results)["volume_bands"];

@@ -51,9 +51,10 @@ inline RunRecord good_run(const std::string& algorithm, const std::string& famil
 }
 
 /// Sets a metric that has no member of its own.
-inline void set_volume_at_least(std::int64_t least, RunRecord& run) {
+template <class Value>
+void set_metric(const char* name, Value value, RunRecord& run) {
   std::vector<char> record = record_of(run);
-  std::memcpy(&record[run_column("volume_at_least").offset], &least, sizeof(least));
+  std::memcpy(&record[run_column(name).offset], &value, sizeof(value));
   run.other_metrics = load_record(record.data()).other_metrics;
 }
 

@@ -26,7 +26,11 @@ class InOtherHands(Program):
             self.assertEqual(said.err.count(NOTE), 1, said)
         with h5py.File("hands.h5", "a") as file:
             file["runs"][:] = file["runs"][:][::-1]
-        self.refused("ar3d check hands.h5", "no checksum at its end", "pandas.HDFStore", "its rows are not those of its rows_hash")
+        self.refused("ar3d check hands.h5", "no checksum at its end", "pandas.HDFStore", "its rows are not those of its rows_hash; --accept-changed reads it with its rows as they are")
+        for command in ("check hands.h5", "report hands.h5 --force", "compare base.h5 hands.h5", "replay hands.h5 --all"):
+            said = run(f"ar3d {command} --accept-changed")
+            self.assertIn(said.code, (0, 7), said)
+            self.assertIn("its rows are not those of its rows_hash; its rows are read as they are; nothing says that the study made them\n", said.err)
 
     def test_a_file_that_another_program_holds_open_is_not_damaged(self):
         with h5py.File("hands.h5", "r+"):

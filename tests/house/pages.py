@@ -258,6 +258,23 @@ class Told(Page):
                     wider += 1
         self.assertEqual((len(runs), wider), (559, 22))
 
+    def test_times_the_optimum_are_those_of_the_study(self):
+        """docs/optimum.md: least, median and largest of each algorithm and effort."""
+        self.run_in_folder(f"ar3d study run {REFERENCE}/optima.toml -q -o optima.h5\nar3d report optima.h5 --rows rows.csv")
+        times = {}
+        for row in csv.DictReader((self.folder / "rows.csv").read_text().splitlines()):
+            if row["times_the_optimum"] not in ("", "nan"):
+                effort = int(re.search(r"effort=(\d)", row["options"])[1])
+                times.setdefault(row["algorithm"], {}).setdefault(effort, []).append(float(row["times_the_optimum"]))
+
+        def printed(value):
+            return f"{value:.0f}" if value >= 1000 and (value := float(f"{value:.3g}")) else f"{value:#.3g}".rstrip(".")
+        self.assertGreaterEqual(len(times), 4)
+        for algorithm, of_efforts in times.items():
+            said = [", ".join(printed(f(of_efforts[effort])) for f in (min, np.median, max)) if effort in of_efforts else "–"
+                    for effort in range(3)]
+            self.assertEqual([cell.strip() for cell in cells("docs/optimum.md", f"`{algorithm}`")], said)
+
     def test_precision_is_what_the_committed_rows_say(self):
         rows, real = precision_rows()[0], precision_rows()[0]["algorithm"] == b"two-bend-paper"
         measured = (rows["certificate"] == b"measured").sum()

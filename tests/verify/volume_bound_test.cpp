@@ -254,5 +254,41 @@ TEST(VolumeBound, IsWithinAFactorOfPiecesOfLattices) {
   }
 }
 
+TEST(KnownOptimum, IsThatOfTheTableUnderAnyLabels) {
+  const auto of = [](const Graph& graph, const char* algorithm) {
+    return known_optimum(graph, find_algorithm(algorithm).guarantee);
+  };
+  for (const std::uint64_t seed : {0u, 1u, 2u}) {
+    EXPECT_EQ(of(shuffled(complete(5), seed), "diamond"), 512);
+    EXPECT_EQ(of(shuffled(complete(5), seed), "compact"), 336) << "five bends";
+    EXPECT_EQ(of(shuffled(complete(4), seed), "grid"), 125);
+    EXPECT_EQ(of(shuffled(cycle(5), seed), "diamond"), 64);
+  }
+  EXPECT_EQ(of(complete(4), "two-bend-120"), 216);
+  EXPECT_EQ(of(complete(4), "two-bend"), -1) << "its angles are not exact";
+  EXPECT_EQ(of(complete(4), "two-bend-paper"), -1);
+  EXPECT_EQ(of(complete(1), "diamond"), -1);
+  EXPECT_EQ(of(disjoint_union({path(2), path(2)}), "diamond"), -1) << "not connected";
+  EXPECT_EQ(of(petersen(), "diamond"), -1);
+}
+
+TEST(KnownOptimum, IsBelowEveryDrawingAndAboveTheBound) {
+  std::size_t known = 0;
+  for (const int n : {2, 3, 4, 5}) {
+    for (const Graph& graph : geng("-c -D4 " + std::to_string(n))) {
+      for (const Algorithm* algorithm : proved_algorithms()) {
+        const std::int64_t optimum = known_optimum(graph, algorithm->guarantee);
+        if (optimum < 0) continue;
+        ++known;
+        Guarantee anywhere = algorithm->guarantee;
+        anywhere.vertices_in_plane = false;
+        EXPECT_LE(volume_at_least(graph, anywhere), optimum);
+        EXPECT_LE(static_cast<std::uint64_t>(optimum), volume_of(draw(*algorithm, graph)));
+      }
+    }
+  }
+  EXPECT_GE(known, 30u + 30 + 19);
+}
+
 }  // namespace
 }  // namespace ar3d::testing

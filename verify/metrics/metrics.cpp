@@ -26,6 +26,13 @@ MetricValue log2_volume(Summary summary) {
   return sum;
 }
 
+MetricValue times_the_optimum(Summary summary) {
+  if (!summary.in_range || summary.optimum < 0) return DrawingSummary::kNone;
+  double points = 1;
+  for (const std::int64_t extent : summary.box.extents()) points *= static_cast<double>(extent + 1);
+  return points / static_cast<double>(summary.optimum);
+}
+
 template <std::size_t bends>
 MetricValue edges_with(Summary summary) {
   const auto& histogram = summary.bend_histogram;
@@ -143,7 +150,11 @@ std::vector<Metric> make_metrics() {
       {"volume_at_least", "cubic lattice units",
        "no drawing of this graph that keeps the algorithm's guarantee has a box of fewer lattice "
        "points (docs/lower-bounds.md); missing without a guarantee",
-       int64, value_of<&DrawingSummary::volume_at_least>}};
+       int64, value_of<&DrawingSummary::volume_at_least>},
+      {"times_the_optimum", "1",
+       "lattice points of the box over those of the smallest one for the guarantee's angles, "
+       "directions and bends, vertices anywhere (docs/optimum.md); missing if it is not known",
+       float64, times_the_optimum}};
 }
 
 OpenTable<Metric>& table() {

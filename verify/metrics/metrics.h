@@ -33,6 +33,7 @@ struct DrawingSummary {
   /// volume_at_least() of the graph and the guarantee (verify/metrics/volume_bound.h), for those
   /// who have them; -1 if not set.
   std::int64_t volume_at_least = -1;
+  std::int64_t optimum = -1;  ///< likewise known_optimum()
 
   // What set_angles_and_crossings() fills in (verify/angles.h).
   std::int64_t crossings = -1;

@@ -161,19 +161,6 @@ bool all_directions(const Guarantee& guarantee, const IsOne& is_one) {
   return !directions.empty() && std::all_of(directions.begin(), directions.end(), is_one);
 }
 
-DrawnSteps steps_of(const Guarantee& guarantee) {
-  if (guarantee.lattice != kCubeLattice || guarantee.angle_rule != AngleRule::exactly) {
-    return DrawnSteps::any;
-  }
-  const auto all_have = [&](std::int64_t squared) {
-    return all_directions(guarantee,
-                          [&](Vector d) { return d.x * d.x + d.y * d.y + d.z * d.z == squared; });
-  };
-  if (guarantee.cosine == Cosine{-1, 3} && all_have(3)) return DrawnSteps::body_diagonals;
-  if (guarantee.cosine == Cosine{-1, 2} && all_have(2)) return DrawnSteps::face_diagonals;
-  return DrawnSteps::any;
-}
-
 // Lemma L.1: in such drawings every edge has a bend outside of the plane of the vertices.
 bool leaves_the_plane(const Guarantee& guarantee) {
   return guarantee.vertices_in_plane &&
@@ -203,6 +190,19 @@ std::uint64_t least_side(std::uint64_t low, const IsEnough& is_enough) {
 }
 
 }  // namespace
+
+DrawnSteps steps_of(const Guarantee& guarantee) {
+  if (guarantee.lattice != kCubeLattice || guarantee.angle_rule != AngleRule::exactly) {
+    return DrawnSteps::any;
+  }
+  const auto all_have = [&](std::int64_t squared) {
+    return all_directions(guarantee,
+                          [&](Vector d) { return d.x * d.x + d.y * d.y + d.z * d.z == squared; });
+  };
+  if (guarantee.cosine == Cosine{-1, 3} && all_have(3)) return DrawnSteps::body_diagonals;
+  if (guarantee.cosine == Cosine{-1, 2} && all_have(2)) return DrawnSteps::face_diagonals;
+  return DrawnSteps::any;
+}
 
 std::vector<RoutedBisection> route_bisection(
     const Graph& graph, std::span<const Vertex> vertices, std::uint32_t most_visits,

@@ -55,12 +55,19 @@ std::vector<RoutedBisection> route_bisection(
     const Graph& graph, std::span<const Vertex> vertices, std::uint32_t most_visits,
     const std::function<bool(const RoutedBisection&)>& is_worth);
 
+/// The lattice points of the smallest box of a drawing of this graph with the guarantee's angles
+/// and directions and at most as many bends, vertices anywhere, if results/reference/optima.csv has
+/// it; else -1. Cost: O(n! m) up to seven vertices, else O(1).
+std::int64_t known_optimum(const Graph& graph, const Guarantee& guarantee);
+
 /// Says which points a connected drawing can use.
 enum class DrawnSteps : std::uint8_t {
   any,             ///< of directions that are not those below, or at angles that are not exact
   body_diagonals,  ///< unit steps (+-1, +-1, +-1) at exactly arccos(-1/3)
   face_diagonals   ///< unit steps along face diagonals of unit cubes at exactly 120 degrees
 };
+
+DrawnSteps steps_of(const Guarantee& guarantee);
 
 /// Holds what a box has to hold (Lemmas L.2 and L.3).
 struct BoxNeeds {
