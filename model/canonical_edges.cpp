@@ -51,14 +51,11 @@ class Bins {
     return edges_.subspan(first, std::min(kChunkEdges, edges_.size() - first));
   }
 
-  /// One number for each bin: while counting, how many items of the chunk it gets; after make_indices(),
-  /// where the first of them stands. Row chunks() then has the ends of the bins' items.
+  /// For each bin: how many items of the chunk it gets, after make_indices() where the first of them
+  /// stands. Row chunks() then has the ends of the bins' items.
   std::uint32_t* indices(std::uint64_t chunk) { return indices_.data() + chunk * bins_; }
-  const std::uint32_t* indices(std::uint64_t chunk) const {
-    return indices_.data() + chunk * bins_;
-  }
-  std::uint32_t begin(std::uint64_t bin) const { return indices(0)[bin]; }
-  std::uint32_t end(std::uint64_t bin) const { return indices(chunks_)[bin]; }
+  std::uint32_t begin(std::uint64_t bin) const { return indices_[bin]; }
+  std::uint32_t end(std::uint64_t bin) const { return indices_[chunks_ * bins_ + bin]; }
 
   /// Counts one item for each edge, in the bin of the end that bin_end(edge) gives.
   template <class BinEnd>
@@ -82,7 +79,7 @@ class Bins {
   }
   /// Calls put(edge, number in the chunk, index) for every edge.
   template <class BinEnd, class Put>
-  void deal(BinEnd bin_end, Put put) const {
+  void deal(BinEnd bin_end, Put put) {
     for_each_in_threads(threads_, chunks_, [&](std::uint32_t, std::uint64_t chunk) {
       std::vector<std::uint32_t> next(indices(chunk), indices(chunk) + bins_);
       std::uint32_t number = 0;
