@@ -10,9 +10,9 @@ import subprocess
 import sys
 
 MOST_WORDS, MOST_CHARACTERS = 30, 120
-PROOFS = re.compile(r"(theorem.*|compact.*|two-bend-1(09|20)|routed|lower-bounds|open-questions)\.md")
+PROOFS = re.compile(r"(theorem2|theorem3-paper|compact-120|two-bend-109)\.md")
 HOUSE_WORDS = re.compile(r"\b(whoever|nobody|somebody|but for|for who)\b", re.I)  # the pages of proofs may say "but for"
-NUMBERED = re.compile(r"\*\*(Lemma|Step|Theorem) |\*Proof")
+NUMBERED = re.compile(r"\*\*(Lemma|Rule|Repair|Step|Theorem)[ .]|\*Proof")
 FOLDERS = ("algorithms", "analysis", "apps", "base", "bench", "formats", "generators", "model", "optimum", "python", "store", "verify")
 OTHER = re.compile(r"\||<|!\[|#|\$\$|\[[^]]*\]: ")  # tables, pictures, headings
 
