@@ -2,7 +2,7 @@
 """Pages, --help, messages and comments of specifications have no sentence of more than 30 words, pages no line of prose of more than 120
 characters; house words stay away from them and from sources: words.py SOURCES AR3D. With --measure: words, sentences and mean of each page.
 
-Code, tables and targets of links are left out, so are pages of proofs and numbered lemmas and steps; what is in backticks is one
+Code, tables and targets of links are left out, so are numbered lemmas, rules, repairs, steps and theorems; what is in backticks is one
 word. A colon before a capital letter or a number ends a sentence."""
 import pathlib
 import re
@@ -10,8 +10,7 @@ import subprocess
 import sys
 
 MOST_WORDS, MOST_CHARACTERS = 30, 120
-PROOFS = re.compile(r"(theorem2|theorem3-paper|compact-120|two-bend-109)\.md")
-HOUSE_WORDS = re.compile(r"\b(whoever|nobody|somebody|but for|for who)\b", re.I)  # the pages of proofs may say "but for"
+HOUSE_WORDS = re.compile(r"\b(whoever|nobody|somebody|but for|for who)\b", re.I)
 NUMBERED = re.compile(r"\*\*(Lemma|Rule|Repair|Step|Theorem)[ .]|\*Proof")
 FOLDERS = ("algorithms", "analysis", "apps", "base", "bench", "formats", "generators", "model", "optimum", "python", "store", "verify")
 OTHER = re.compile(r"\||<|!\[|#|\$\$|\[[^]]*\]: ")  # tables, pictures, headings
@@ -79,7 +78,7 @@ def messages(source):
 root, program = pathlib.Path(sys.argv[1]), sys.argv[-1]
 folders = [folder for folder in root.glob("*/") if folder.name not in ("build", "results")]
 pages = [page for folder in (root, *folders) for page in sorted([*folder.glob("*.md"), *folder.glob("*/README.md")])
-         if folder == page.parent or folder.name in ("docs", "examples") if not PROOFS.fullmatch(page.name) and "gallery" not in page.parts]
+         if folder == page.parent or folder.name in ("docs", "examples") if "gallery" not in page.parts]
 texts = [(str(page.relative_to(root)), page.read_text()) for page in [*pages, root / "results/SCHEMA.md", root / "results/JOURNAL.md"]]
 if "--measure" in sys.argv:
     for name, text in texts:
