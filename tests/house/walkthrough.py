@@ -1,9 +1,8 @@
-"""Does what a walk-through of CONTRIBUTING.md says, in a copy of the tree, and expects the new row everywhere.
+"""Applies a patch that CONTRIBUTING.md names to a copy of the tree, and expects the new row everywhere.
 
-walkthrough.py SOURCE BUILD HEADING NAME: HEADING names the walk-through, NAME what it adds. A `cpp` block is the file
-that its first line names, a `diff` block changes the file named before it (lines with a blank stand there already, one
-after the other; lines with + come in between), the `sh` block is run. Only what is new or changed is compiled, with
-the build's own commands, and linked with the build's libraries.
+walkthrough.py SOURCE BUILD PATCH NAME: PATCH is one of tests/house/added, NAME what it adds. What stands below the
+patch in its block is run. Only what is new or changed is compiled, with the build's own commands, and linked with the
+build's libraries.
 """
 import json
 import pathlib
@@ -17,25 +16,9 @@ import tempfile
 STUDIES = {"matching": ("perfect-matching", "matching"), "triangle-strip": ("triangle-strip", "diamond"), "num_segments": ("cycle", "grid")}
 
 
-def blocks(page, heading):
-    """(file, language, text) for each code block below the heading."""
-    section = page.split(f"\n### {heading}\n", 1)[1]
-    section = re.split(r"\n##+ (?!#)", section.replace("\n#include", "\n\0include"), maxsplit=1)[0]
-    section = section.replace("\0", "#")
-    name = None
-    for words, language, text in re.findall(r"(.*?)```(\w+)\n(.*?)```", section, re.S):
-        named = re.findall(r"`([\w/]+\.(?:h|cpp))`", words)
-        name = named[-1] if named else name
-        if language == "cpp":
-            name = re.match(r"// (\S+)\n", text)[1]
-        yield name, language, text
-
-
-def changed(text, diff):
-    lines = diff.splitlines()
-    context = "\n".join(line[1:] for line in lines if line[0] == " ")
-    assert text.count(context) == 1, f"stands {text.count(context)} times in the file:\n{context}"
-    return text.replace(context, "\n".join(line[1:] for line in lines))
+def commands(page, patch):
+    """What is run once the patch is applied."""
+    return re.search(rf"^```sh\ngit apply {re.escape(patch)}\n(.*?)^```", page, re.S | re.M)[1]
 
 
 def copy_of(source, tree):
@@ -100,23 +83,15 @@ def expect_everywhere(name, tree, listed):
 
 def main():
     source, build = (pathlib.Path(p).resolve() for p in sys.argv[1:3])
-    heading, name = sys.argv[3:5]
+    patch, name = f"tests/house/added/{sys.argv[3]}.patch", sys.argv[4]
     with tempfile.TemporaryDirectory(prefix="ar3d-walk-") as scratch:
         tree = pathlib.Path(scratch)
         copy_of(source, tree)
         (tree / "include").mkdir()
         (tree / "include" / "ar3d").symlink_to(tree)
-        touched, shell = [], []
-        for file, language, text in blocks((source / "CONTRIBUTING.md").read_text(), heading):
-            if language == "sh":
-                shell.append(text)
-                continue
-            path = tree / file
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text if language == "cpp" else changed(path.read_text(), text))
-            if file.endswith(".cpp") and file not in touched:
-                touched.append(file)
-        assert touched and shell, f"no walk-through '{heading}'"
+        subprocess.run(["git", "apply", source / patch], cwd=tree, check=True)
+        touched = re.findall(r"^\+\+\+ b/(\S+\.cpp)$", (source / patch).read_text(), re.M)
+        shell = [commands((source / "CONTRIBUTING.md").read_text(), patch)]
         link(compile_units(touched, source, tree, build), tree, build)
         if name in STUDIES:
             family, algorithm = STUDIES[name]
