@@ -12,7 +12,7 @@ namespace ar3d {
 Examination examine_all(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                         CertificateMode mode);
 
-/// Writes one line of JSON that tells of a drawing without its polylines:
+/// Writes one line of JSON that describes a drawing without its polylines:
 ///   {"n":N,"m":M,"algorithm":"…","level":"extents","certificate":"exact","verdict":"proved",
 ///    "violations":0,
 ///    "drawing_hash":"…","box":[[x,y,z],[x,y,z]],METRIC:VALUE,…}

@@ -61,7 +61,7 @@ void tell(const nlohmann::ordered_json& json, fmt::format_string<Values...> form
   say(format, std::forward<Values>(values)...);
 }
 
-/// Holds how a graph file is to be read, as every verb that reads one is told.
+/// Holds how a graph file is to be read: the options of every verb that reads one.
 struct GraphInput {
   ReadOptions options;
   std::string first_line = "automatic";

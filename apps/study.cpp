@@ -43,8 +43,8 @@ std::string first_few(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(shown, ", "));
 }
 
-// Beside a page that is no report the study goes without: it has been there for hours, or has come
-// meanwhile.
+// Writes no report if another file has its name. That one was there before or has come meanwhile;
+// the study goes on.
 void write_report(const std::string& results, const StudyAnalysis& analysis) {
   const std::string page = report_path(results);
   try {

@@ -43,7 +43,7 @@ const RunRecord& find_row(const Results& results, const std::string& row, const 
 int keep_drawings(const std::string& results, KeptDrawings kept, const std::string& output,
                   bool force);
 
-/// Writes the drawings that a study keeps beside its results file, and tells where they are. What
+/// Writes the drawings that a study keeps beside its results file, and prints where they are. What
 /// stands there is replaced if it is a file of drawings or `force` is given; else nothing is
 /// written. Where no row was made since (`unchanged`), a file of drawings stays as it is, too.
 /// @return kPass, or kRegression if a drawing could not be kept, which is said on standard error.

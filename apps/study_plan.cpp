@@ -83,7 +83,7 @@ void print_collection(const StudyCorpus& collection) {
       graphs.skipped().size(), skipped_text(graphs.skipped()));
 }
 
-// Those of a collection, which may have any number of sizes, are told as one for each algorithm.
+// Cells of a collection are summed: one line for each algorithm.
 void print_cells(const StudyEstimate& estimate, const std::set<std::string>& collections) {
   std::map<CurveKey, std::vector<CellEstimate>> curves;
   for (const CellEstimate& cell : estimate.cells) {
@@ -200,8 +200,7 @@ void add_study_choice(CLI::App& verb, StudyChoice& choice) {
   verb.add_option("--groups", graphs.groups,
                   "of a collection: a table, a line FILE,GROUP each, that says the groups instead")
       ->needs(files);
-  verb.add_option("--timed", graphs.timed,
-                  "so many rounds of timed drawings, in every sweep of the study")
+  verb.add_option("--timed", graphs.timed, "number of timed rounds of all drawings, in every sweep")
       ->default_str("")
       ->check(whole_number(1, 1000000));
   verb.add_flag("--count", graphs.count, "with --graphs: instructions are counted by callgrind")

@@ -117,7 +117,7 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
-/// Holds what an algorithm tells about its own run, by name (for example diamond's H): written, and
+/// Holds what an algorithm counts in its own run, by name (for example diamond's H): written, and
 /// stored in a study, as settings are.
 using Counter = Setting;
 
@@ -263,8 +263,8 @@ class DrawingHash {
   HashStream hash_;
 };
 
-/// Says how much of a drawing is stored while it is measured and judged. All that is told of it is
-/// the same at every level, bit for bit; time and memory differ.
+/// Says how much of a drawing is stored while it is measured and judged. All that is computed
+/// of it is the same at every level, bit for bit; time and memory differ.
 enum class Level : std::uint8_t {
   extents,    ///< what the algorithm keeps: a polyline is computed when it is read, and dropped
   positions,  ///< also an array of all positions in 64-bit integers: 24 bytes per vertex

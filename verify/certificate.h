@@ -17,7 +17,7 @@ namespace ar3d {
 enum class CrossingTest {
   automatic,  ///< the proof by counting, and slabs for what it does not prove
   all_pairs,  ///< the oracle: every pair of segments, O(S^2)
-  slabs,      ///< space halved in slabs that nothing crosses
+  slabs,      ///< space is halved; segments of a small cell are compared
 };
 
 /// Says how a drawing is judged: by a proof in integers, or not at all.

@@ -27,7 +27,7 @@ bool proves(const SizeBound& bound, std::uint64_t n, int bits) {
                       [&](const AxisBound& axis) { return axis.holds(beyond, n); });
 }
 
-/// Tells which coordinate does not fit, if one does not. @param number  of the vertex, or bend.
+/// Names the coordinate that does not fit, if one does not. @param number  of the vertex, or bend.
 void require_fits(const std::string& what, std::uint64_t number, Point p, Point low, int bits) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::int64_t offset = verify::component(p, i) - verify::component(low, i);

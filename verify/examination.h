@@ -14,7 +14,7 @@ struct ExaminationParts {
   bool hash = true;
 };
 
-/// All that is told of one drawing.
+/// Holds certificate, metrics and hash of one drawing.
 struct Examination {
   Certificate certificate;
   DrawingSummary summary;    ///< metric_values(summary) are the metrics

@@ -145,7 +145,7 @@ class NarrowPlacer {
   }
 
   /// The columns are those that reach and the types of placed tails leave. The vertex's type is
-  /// told by the side of its green head; if that is to come, by the side that has more room.
+  /// the side of its green head or, before that is placed, the side that has more room.
   JoinedVertex joined_of(Vertex v) const {
     JoinedVertex joined;
     const Roles& roles = links_.at[v];

@@ -31,7 +31,7 @@ void assign_arrivals(Class of, const Order& order, const std::array<ArmLink, 3>&
   }
 }
 
-/// Tells both ends of every edge where it arrives.
+/// Stores at both ends of every edge where it arrives.
 void tell_arrivals(Links& links, std::size_t num_edges) {
   LongVector<Arrival> arrival(num_edges);
   for (std::size_t v = 0; v < links.at.size(); ++v) {

@@ -54,7 +54,7 @@ constexpr std::array<std::array<PerLevel, kStates>, kLevels> extremes_of_neighbo
 }
 constexpr std::array<std::array<PerLevel, kStates>, kLevels> kExtremes = extremes_of_neighbours();
 
-/// Levels of all vertices. One byte per vertex tells all that a sweep asks of neighbours, so that
+/// Levels of all vertices. One byte per vertex holds all that a sweep reads of neighbours, so that
 /// it stays in the cache where graphs do not; and what levels do to a neighbour is looked up for
 /// all four levels at once.
 class Sweeper {

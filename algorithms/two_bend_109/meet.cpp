@@ -1,4 +1,4 @@
-// Step E.4: whether two segments meet, exactly: most pairs are told apart by their boxes or modulo
+// Step E.4: whether two segments meet, exactly: most pairs are decided by their boxes or modulo
 // 2^64, the others take up to 256 bits. Cost: O(1).
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>

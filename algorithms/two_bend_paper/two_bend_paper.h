@@ -45,7 +45,7 @@ Drawing draw(const Graph& graph, const Options& options = {});
 Algorithm row();
 
 /// Returns how the arithmetic in which this library's drawings are made departs from IEEE 754, as
-/// ar3d::arithmetic_departures() (base/ieee_arithmetic.h) tells.
+/// ar3d::arithmetic_departures() (base/ieee_arithmetic.h) finds.
 std::string arithmetic_departures();
 
 }  // namespace ar3d::two_bend_paper

@@ -75,7 +75,7 @@ Tell what_failed() {
   return [failure = std::current_exception()]() -> std::string { std::rethrow_exception(failure); };
 }
 
-// Puts into `text` what is told, or why it failed.
+// Puts the result into `text`, or why it failed.
 StepResult told_by(const Tell& tell, std::string& text) {
   try {
     text = tell();
@@ -89,7 +89,7 @@ StepResult told_by(const Tell& tell, std::string& text) {
   }
 }
 
-// A job that was made ready, or that tells why it could not be.
+// A prepared job, or one that reports why it could not be prepared.
 Work made_ready(const MakeReady& make_ready, const std::string& job) {
   try {
     return make_ready(job);
@@ -98,7 +98,7 @@ Work made_ready(const MakeReady& make_ready, const std::string& job) {
   }
 }
 
-// Does a job; what is to be told of it.
+// Does a job. Returns how its result is reported.
 Tell done(const Work& work) {
   try {
     work.run();

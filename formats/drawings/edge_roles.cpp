@@ -25,7 +25,7 @@ EdgeRoles with_roles(EdgeRoles kinds, const Drawing& drawing, Role&& role) {
   return kinds;
 }
 
-/// Above or below the plane of the vertices, which has that normal: told by a bend in the middle.
+/// Above or below the plane of the vertices, which has that normal; a bend in the middle decides.
 EdgeRoles halves(const Drawing& drawing, Vector normal) {
   const auto above_or_below = [normal](const Polyline& points) -> std::size_t {
     const Vector d = points[points.size() / 2] - points[0];

@@ -8,7 +8,7 @@
 
 namespace ar3d {
 
-/// Holds what some formats can be told. The camera of a picture turns about the z axis, then tilts
+/// Holds options of some formats. The camera of a picture turns about the z axis, then tilts
 /// towards the viewer.
 struct ExportOptions {
   double turn_degrees = 28;

@@ -20,7 +20,7 @@ class EdgeCollector {
   EdgeCollector(const TextInput& input, const ReadOptions& options, unsigned base)
       : input_(&input), options_(options), base_(base) {}
 
-  /// Starts a graph. @param n  number of vertices where the file tells it.
+  /// Starts a graph. @param n  number of vertices if the file states it.
   void begin(std::optional<std::uint64_t> n);
   /// Starts a graph whose smallest id is another one.
   void begin(std::optional<std::uint64_t> n, unsigned base) {

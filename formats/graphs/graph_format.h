@@ -23,7 +23,7 @@ enum class FirstLine { automatic, edge, header };
 
 struct ReadOptions {
   std::string format = {};  ///< name of a format; empty: detected by content
-  /// Smallest vertex id in edge lists and adjacency lists, 0 or 1; nothing: as the list itself tells.
+  /// Smallest vertex id in edge lists and adjacency lists, 0 or 1; nothing: the list decides.
   std::optional<unsigned> base = {};
   FirstLine first_line = FirstLine::automatic;
   bool simplify = false;    ///< loops and parallel edges are dropped; else they are refused

@@ -36,7 +36,7 @@ class ListGraph {
         note_(std::move(note)),
         edges_(input, options, options.base.value_or(0)) {}
 
-  /// Begins a graph. @param n  where a size line tells it. @param is_named  ids are names, whatever
+  /// Begins a graph. @param n  from a size line. @param is_named  ids are names, whatever
   /// they are.
   void begin(std::optional<std::uint64_t> n, unsigned base, bool is_named);
   /// Takes a row; its ends are ends in any list. @throws InputError if they are none in this one.

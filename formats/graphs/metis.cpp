@@ -192,7 +192,7 @@ MetisFit metis_fit(std::string_view text, bool whole, std::uint64_t n, std::uint
   return fit;
 }
 
-/// Tells METIS files from edge lists, both being lines of numbers: by our mark, or if only one of
+/// True for METIS, false for edge lists, both being numbers: by our mark, or if only one of
 /// them fits, else by the ending. A text that can be neither passes for an edge list.
 /// @throws InputError, without the file's name, if both fit and the ending says nothing.
 bool looks_like_metis(const InputHead& head) {

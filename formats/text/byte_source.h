@@ -16,7 +16,7 @@ class ByteSource {
   /// Reads up to `size` >= 1 bytes to `to`; 0 only at the end. A pipe gives what it has.
   /// @throws InputError if the file cannot be read or its compressed data are corrupt or cut.
   virtual std::size_t read(char* to, std::size_t size) = 0;
-  /// Returns how many bytes are left, as far as that can be told beforehand, else 0. May be wrong.
+  /// Returns how many bytes are left if that is known beforehand, else 0. May be wrong.
   virtual std::uint64_t bytes_left() const { return 0; }
 };
 

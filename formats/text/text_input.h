@@ -46,7 +46,7 @@ class TextInput {
   std::uint64_t line() const { return line_; }  ///< number of the line just given, from 1
   /// Bytes of text given so far, ends of lines included.
   std::uint64_t bytes() const { return dropped_ + next_; }
-  /// Bytes of text not given yet, as far as that can be told; it may be wrong.
+  /// Bytes of text not given yet, as far as they are known; it may be wrong.
   std::uint64_t bytes_left() const { return bytes_->bytes_left() + (end_ - next_); }
 
   /// Throws InputError "NAME:LINE:COLUMN: message" for the line just given; column 0 is left out.

@@ -1,5 +1,5 @@
 // Judges a drawing in a real type: every angle is compared with 120 degrees by exact inner
-// products, and only the miss that is told is rounded.
+// products, and only the reported miss is rounded.
 #include "ar3d/verify/assessment/real_assessment.h"
 
 #include <fmt/format.h>

@@ -17,7 +17,7 @@ struct RealPoints;  // model/real_points.h
 /// segments with a common point but that of their bend or vertex. Segments of length zero are
 /// counted and then left out of everything else.
 struct RealAssessment {
-  /// The shares that are told: misses of at most so many degrees.
+  /// Shares are counted of misses of at most so many degrees.
   static constexpr std::array<double, 4> kLimits{1e-12, 1e-9, 1e-6, 1e-3};
 
   std::uint64_t angles = 0;               ///< judged

@@ -22,7 +22,7 @@ bool same_list(const Graph& graph, const Drawing& drawing) {
   return true;
 }
 
-/// Both lists sorted: a merge tells missing, extra and repeated edges apart.
+/// Finds missing, extra and repeated edges by merging both sorted lists.
 void merge(const NumberedEdges& wanted, const NumberedEdges& drawn, Findings& findings) {
   const auto add = [&](Ends ends, std::vector<EdgeId> ids, const std::string& message) {
     findings.add({ViolationKind::edge_set, {ends.first, ends.second}, std::move(ids), {}, message});

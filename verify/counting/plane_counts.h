@@ -65,7 +65,7 @@ class PlaneMeetings {
   class Intake {
    public:
     /// Segments of a side's direction (0: rows, 1: columns), of which those are taken whose planes
-    /// are in the window. Chance decides which: they are told apart without a branch.
+    /// are in the window. Which ones is random, so no branch decides it.
     void add(std::span<const PlacedSegment> segments, std::size_t side) const {
       if (window_.count == 1) {
         for (const PlacedSegment& segment : segments) add_taken(segment, side);

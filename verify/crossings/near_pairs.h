@@ -204,7 +204,7 @@ class Search {
 /// segment.
 /// @param few  pieces in a cell that are compared with each other; tests set it small.
 /// @param most  comparisons; the search ends behind the first cell that passes it.
-/// @param compares  is told of a cell with so many pairs that comparing them takes seconds.
+/// @param compares  is called for a cell with so many pairs that comparing them takes seconds.
 /// @return the number of pairs that were compared. @pre coordinates are in range.
 template <class SegmentAt, class Visit>
 std::uint64_t for_each_near_pair(std::uint32_t size, const SegmentAt& at, Visit&& visit,

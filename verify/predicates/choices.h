@@ -41,7 +41,7 @@ std::optional<std::strong_ordering> filtered_angle(const Lattice& lattice, Point
 bool surely_apart(Point a, Point b, Point c, Point d);
 
 /// Returns how the floating-point arithmetic of these predicates departs from IEEE 754, as
-/// arithmetic_departures() (base/ieee_arithmetic.h) tells; empty if it does not.
+/// arithmetic_departures() (base/ieee_arithmetic.h) finds; empty if it does not.
 std::string predicate_arithmetic_departures();
 
 }  // namespace ar3d::verify
