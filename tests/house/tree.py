@@ -173,9 +173,10 @@ def sub_folders():
 
 
 def allowed():
-    """Who may include whom: rows "| `bench/` | ... | model, formats |" of docs/architecture.md. "everything" frees from all rules.
-    A sub-folder without a row includes no other one."""
+    """Who may include whom: rows "| `bench/` | ... | model, formats |" of docs/architecture.md and lines "bench/plan: spec" of
+    tests/house/includes.txt. "everything" frees from all rules. A sub-folder without a line includes no other one."""
     rows = re.findall(r"^\| `([a-z_/0-9]+)/` \|(?:.*\|)? ([a-z_0-9, –]+) \|$", tree()["docs/architecture.md"], re.M)
+    rows += re.findall(r"^([a-z_/0-9]+): ([a-z_0-9, ]+)$", tree()["tests/house/includes.txt"], re.M)
     return dict.fromkeys(sub_folders(), set()) | {
         folder: None if others == "everything" else set(re.findall("[a-z_0-9]+", others)) for folder, others in rows}
 
@@ -229,7 +230,7 @@ def rings_of_folders(among):
 
 
 class IncludeDirection(Rule):
-    """The folders are the data flow: who may include whom is written in the tables of docs/architecture.md."""
+    """The folders are the data flow: docs/architecture.md and includes.txt say who may include whom."""
 
     def test_follows_the_tables(self):
         self.assertEqual(forbidden_includes(allowed()), [])
@@ -251,7 +252,7 @@ class IncludeDirection(Rule):
         self.assertEqual(folders - allowed().keys(), set())
 
     def test_sees_forbidden_includes(self):
-        self.assertEqual(allowed()["algorithms/grid"], set())  # which has no row
+        self.assertEqual(allowed()["algorithms/grid"], set())  # which has no line
         for folder in ("verify", "bench/run"):  # verify does include model, and run makes what plan says
             self.assertNotEqual(forbidden_includes(allowed() | {folder: set()}), [])
 
