@@ -1,9 +1,12 @@
-// `ar3d compare`: two results files, or two builds that run in turns.
+// `ar3d compare`: two results files, two settings of one, or two versions of something that take
+// turns.
 #include "ar3d/analysis/compare/compare.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <boost/scope_exit.hpp>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,8 +16,12 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/compare/interleave.h"
+#include "ar3d/bench/compare/turns.h"
+#include "ar3d/bench/keep/journaled_study.h"
+#include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/replay/count_instructions.h"
@@ -32,11 +39,15 @@ namespace fs = std::filesystem;
 struct CompareArguments {
   std::vector<std::string> files;
   bool reference = false;
+  std::vector<std::string> settings;
+  std::vector<std::string> turns;
+  std::string build;
+  std::string output;
+  bool count = false;
   std::string base;
   std::string study = "regression";
   std::size_t rounds = 0;
   int core = -1;
-  bool calibrate = false;
   double threshold_percent = 5;
   std::string json;
   std::string markdown;
@@ -46,8 +57,7 @@ struct CompareArguments {
 
 constexpr const char* kThisProgram = "/proc/self/exe";
 
-int report_verdict(const CompareArguments& arguments, const Comparison& comparison,
-                   const Calibration* calibration) {
+int report_verdict(const CompareArguments& arguments, const Comparison& comparison) {
   const bool is_on_stdout = arguments.markdown == "-";
   if (!arguments.markdown.empty()) {
     const std::string text = comparison_markdown(comparison, arguments.options);
@@ -56,18 +66,63 @@ int report_verdict(const CompareArguments& arguments, const Comparison& comparis
   }
   if (!is_on_stdout && !manner.json) say("{}", summary(comparison, arguments.options));
   if (!arguments.json.empty()) {
-    write_json(arguments.json, comparison_json(comparison, arguments.options, calibration));
+    write_json(arguments.json, comparison_json(comparison, arguments.options));
   }
   return comparison.exit_code();
 }
 
+/// A named study, a TOML file, or the study of a results file.
+Study study_to_run(const std::string& name) {
+  const bool is_results = name.ends_with(".h5") || name.ends_with(".hdf5");
+  return is_results ? recorded_study(Rows(name).identity(), name) : load_study(name);
+}
+
+bool knows_commit(const std::string& commit) {
+  return commit.size() >= 40 &&
+         !ask_git({"rev-parse", "--verify", "--quiet", commit.substr(0, 40) + "^{commit}"}).empty();
+}
+
+/// A command that takes turns and can be given where this one was; empty: there is none.
+std::string remedy(const Results& base, const Results& now, const std::string& now_path) {
+  const std::string study = "--study " + shell_word(now_path);
+  const StudySpec spec = recorded_study(now, now_path).spec;
+  if (spec.programs.empty()) {
+    if (!knows_commit(base.source_hash) || checkout_here().empty()) return "";
+    return fmt::format("ar3d compare --base {} {}", base.source_hash.substr(0, 12), study);
+  }
+  for (const EnvironmentEntry& entry : base.environment) {
+    if (!entry.name.starts_with("version_") || !knows_commit(entry.value)) continue;
+    return fmt::format("ar3d compare --turns {} . --build true {}", entry.value.substr(0, 12),
+                       study);
+  }
+  return fmt::format("ar3d compare --turns '<command of BASE>' {} {}",
+                     shell_word(fmt::format("{}", fmt::join(spec.programs.front()->command, " "))),
+                     study);
+}
+
+int compare_settings_of(const CompareArguments& arguments) {
+  if (arguments.files.size() != 1) throw InputError("compare --settings takes one results file");
+  const Results results = read_results(arguments.files.front());
+  std::vector<CurveKey> settings;
+  for (const RunRecord& run : results.runs) {
+    const CurveKey key{run.algorithm, run.options, {}, {}};
+    if (std::ranges::count(settings, key) == 0) settings.push_back(key);
+  }
+  const CurveKey base = find_setting(settings, arguments.settings[0]);
+  const CurveKey now = find_setting(settings, arguments.settings[1]);
+  const std::string name = algorithm_label(base) + " -> " + algorithm_label(now);
+  return report_verdict(arguments,
+                        compare_settings(results, {{name, base, now}}, arguments.options));
+}
+
 int compare_files(const CompareArguments& arguments) {
+  if (!arguments.settings.empty()) return compare_settings_of(arguments);
   const std::size_t wanted = arguments.reference ? 1 : 2;
   if (arguments.files.size() != wanted) {
     throw InputError(arguments.reference
                          ? "compare --reference takes one results file (see ar3d compare --help)"
-                         : "compare takes two results files, or --base GIT_REF (see ar3d compare "
-                           "--help)");
+                         : "compare takes two results files, or --turns A B, or --base GIT_REF "
+                           "(see ar3d compare --help)");
   }
   const Results now = read_results(arguments.files.back());
   const std::string base_path =
@@ -80,7 +135,11 @@ int compare_files(const CompareArguments& arguments) {
   std::FILE* const to = arguments.markdown == "-" ? stderr : stdout;
   note(to, "base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),
        now.created);
-  return report_verdict(arguments, compare(base, now, arguments.options), nullptr);
+  Comparison comparison = compare(base, now, arguments.options);
+  if (comparison.count(Verdict::inconclusive) > 0) {
+    comparison.remedy = remedy(base, now, arguments.files.back());
+  }
+  return report_verdict(arguments, comparison);
 }
 
 /// Curves at one size.
@@ -107,60 +166,121 @@ int say_interrupted(const std::string& where) {
   return kInterrupted;
 }
 
-/// @return nothing if it was interrupted, which has been said then.
-std::optional<Comparison> take_turns(const std::string& base, const Study& study,
-                                     const std::string& folder, const InterleaveOptions& options,
-                                     const CompareOptions& rule) {
-  const InterleavedRounds rounds = run_interleaved(base, kThisProgram, study, folder, options);
-  if (!rounds.interrupted) return compare_rounds(rounds.base, rounds.now, rule);
-  say_interrupted(fmt::format("in round {} of {}",
-                              std::min(rounds.base.size(), rounds.now.size()) + 1, options.rounds));
-  return {};
-}
-
 int compare_builds(const CompareArguments& arguments) {
-  if (!arguments.files.empty()) throw InputError("--base and --calibrate take no results files");
+  if (!arguments.files.empty()) throw InputError("--base takes no results files");
   const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
   std::FILE* progress = manner.quiet ? nullptr : stderr;
-  const Study study = load_study(arguments.study);
+  const Study study = study_to_run(arguments.study);
   for (const std::string& output : {arguments.json, arguments.markdown}) {
     if (!output.empty() && output != "-") require_writable(output);
   }
   const std::string checkout = find_checkout();
   const std::string folder = (fs::path(checkout) / "build" / "compare").string();
-  std::optional<std::string> base;
-  if (!arguments.base.empty()) {
-    base = build_reference(checkout, arguments.base, progress);
-    if (!base) return say_interrupted("while building " + arguments.base);
+  const std::optional<std::string> base = build_reference(checkout, arguments.base, progress);
+  if (!base) return say_interrupted("while building " + arguments.base);
+  const InterleaveOptions options{rounds_of(arguments, study), arguments.core, progress,
+                                  study.spec.count && counting_problem().empty()};
+  const InterleavedRounds rounds = run_interleaved(*base, kThisProgram, study, folder, options);
+  if (rounds.interrupted) {
+    const std::size_t round = std::min(rounds.base.size(), rounds.now.size()) + 1;
+    return say_interrupted(fmt::format("in round {} of {}", round, options.rounds));
   }
-  InterleaveOptions options{rounds_of(arguments, study), arguments.core, progress};
-  Calibration calibration;
-  std::optional<Comparison> comparison;
-  if (arguments.calibrate) {
-    comparison = take_turns(kThisProgram, study, folder, options, arguments.options);
-    if (!comparison) return kInterrupted;
-    std::vector<std::vector<double>> ratios;
-    for (const CellComparison& cell : comparison->cells) ratios.push_back(cell.log_ratios);
-    calibration = calibrate(ratios, arguments.options.time);
-    note(arguments.markdown == "-" ? stderr : stdout, "{}",
-         summary(calibration, arguments.options.time));
+  return report_verdict(arguments, compare_rounds(rounds.base, rounds.now, arguments.options));
+}
+
+/// What takes turns; empty: it was interrupted.
+std::vector<TurnsSide> turns_sides(const CompareArguments& arguments, const std::string& scratch) {
+  std::vector<TurnsSide> sides;
+  if (std::ranges::all_of(arguments.turns,
+                          [](const auto& side) { return side.ends_with(".toml"); })) {
+    for (const std::string& side : arguments.turns) sides.push_back({load_study(side)});
+    return sides;
   }
-  if (base) {
-    options.count = study.spec.count && counting_problem().empty();
-    comparison = take_turns(*base, study, folder, options, arguments.options);
-    if (!comparison) return kInterrupted;
+  const Study study = study_to_run(arguments.study);
+  if (!arguments.build.empty()) {
+    for (const std::string& ref : arguments.turns) {
+      std::optional<std::string> folder = fs::current_path().string();  // as it is
+      if (ref != ".") {
+        note(stderr, "building {}\n", ref);
+        folder = build_own(ref, arguments.build, fmt::format("{}/{}", scratch, sides.size()));
+      }
+      if (!folder) return {};
+      sides.push_back({with_folder(study, *folder)});
+    }
+    return sides;
   }
-  return report_verdict(arguments, *comparison, arguments.calibrate ? &calibration : nullptr);
+  const std::vector<CurveKey> settings = settings_of(study.spec);
+  const auto is_setting = [&](const std::string& side) {
+    return std::ranges::any_of(settings, [&](const CurveKey& key) {
+      return side == key.algorithm || side.starts_with(key.algorithm + " ");
+    });
+  };
+  const bool has_settings = std::ranges::any_of(arguments.turns, is_setting);
+  for (const std::string& side : arguments.turns) {
+    if (is_setting(side) && fs::exists(side)) {
+      throw InputError(fmt::format("'{0}' is a setting and a file; './{0}' is the program", side));
+    }
+    sides.push_back(has_settings ? TurnsSide{study, find_setting(settings, side)}
+                                 : TurnsSide{with_command(study, side)});
+  }
+  if (has_settings && sides[0].setting == sides[1].setting) {
+    throw InputError(
+        fmt::format("'{}' and '{}' are one setting", arguments.turns[0], arguments.turns[1]));
+  }
+  return sides;
+}
+
+int compare_in_turns(const CompareArguments& arguments) {
+  if (!arguments.files.empty()) throw InputError("--turns takes no results files");
+  const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
+  const std::string scratch = new_temporary_folder("ar3d-turns");
+  BOOST_SCOPE_EXIT_ALL(&) { remove_folder(scratch); };
+  const std::vector<TurnsSide> sides = turns_sides(arguments, scratch);
+  if (sides.empty()) return say_interrupted("while building");
+  const TurnsStudy turns =
+      turns_of(sides[0], sides[1], arguments.rounds, rounds_of(arguments, sides[0].study));
+  const std::string output =
+      arguments.output.empty() ? default_results_path(turns.study.spec) : arguments.output;
+  refuse_unsafe_outputs(
+      {.inputs = {}, .outputs = {output}, .force = arguments.force, .streams = false});
+  refuse_foreign_ending(output, {".h5", ".hdf5"});
+  require_writable(output);
+  const JournaledStudy study = new_study(turns.study, {}, scratch + "/turns.h5");
+  const Pinning pinning(arguments.core);
+  const SessionPolicy policy{.workers = workers_for(0),
+                             .force_timing = true,  // its rows are marked
+                             .progress = manner.quiet ? nullptr : stderr};
+  run_journaled(study, policy, *join_ranks());
+  if (is_interrupted()) return say_interrupted("while drawing");
+  Results results = read_results(study.results);
+  if (arguments.count) fill_counts(results, kLargestCounted);
+  if (is_interrupted()) return say_interrupted("while counting");
+  write_results(results, output);
+  note(arguments.markdown == "-" ? stderr : stdout, "results  {}\n", output);
+  Comparison comparison = compare_settings(results, turns.pairs, arguments.options);
+  for (const std::string& remark : turns.remarks) comparison.remarks.push_back(remark);
+  return report_verdict(arguments, comparison);
 }
 
 void add_options(CLI::App& verb, CompareArguments& a) {
   verb.add_option("FILE", a.files, "BASE and NEW: results files (HDF5)");
   verb.add_flag("--reference", a.reference,
                 "compare NEW with the youngest results/reference/*.h5 of its study");
+  verb.add_option("--settings", a.settings, "compare these two settings of one FILE")->expected(2);
+  verb.add_option("--turns", a.turns,
+                  "run A and B in turns: settings of --study, two specifications, two commands of "
+                  "its program, or two commits (--build)")
+      ->expected(2);
+  verb.add_option("--build", a.build,
+                  "A and B are commits of the repository here: the command that builds one; '.' is "
+                  "the working tree as it is");
+  verb.add_flag("--count", a.count, "count instructions of both sides, too (valgrind)");
+  verb.add_option("-o,--output", a.output,
+                  "results file of --turns; ar3d-NAME-turns.h5 if left out");
   verb.add_option("--base", a.base,
                   "build this git commit and run it and this program in turns instead");
   verb.add_option("--study", a.study,
-                  "what --base and --calibrate run: a TOML file or named study");
+                  "what runs: a TOML file, a named study, or that of a results file");
   verb.add_option("--rounds", a.rounds,
                   "turns of each program; at least 15, and enough for the number of cells, if left "
                   "out")
@@ -168,8 +288,6 @@ void add_options(CLI::App& verb, CompareArguments& a) {
       ->check(whole_number(1, 1000));
   verb.add_option("--core", a.core, "core to run on; the last one if left out")
       ->check(whole_number(0, 1023));
-  verb.add_flag("--calibrate", a.calibrate,
-                "first run this program against itself: false-alarm rate, smallest visible effect");
   verb.add_option("--threshold", a.threshold_percent, "percent of time that matter")
       ->check(number_between(0.1, 1000));
   verb.add_option("--significance", a.options.time.significance, "largest p-value of one cell")
@@ -193,15 +311,16 @@ void add_options(CLI::App& verb, CompareArguments& a) {
 
 void add_compare(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
-      "compare", "Did a change make drawings worse or slower? Two results, or two builds in turns");
+      "compare",
+      "Did a change make drawings worse or slower? Two results, or two versions in turns");
   const auto arguments = std::make_shared<CompareArguments>();
   add_options(*verb, *arguments);
   verb->footer(
       "Exit code 0 pass or improved (everything was judged), 3 regression, 4 violated, 5 "
       "incomplete "
       "or nothing measured, 6 inconclusive, 7 times not judged (unlike environments).\nExample: "
-      "ar3d compare before.h5 after.h5\n         ar3d compare --base main "
-      "--calibrate");
+      "ar3d compare before.h5 after.h5\n         ar3d compare --base main\n"
+      "         ar3d compare --turns v1.0 HEAD --build make --study own.toml");
   verb->callback([arguments, &exit_code] {
     manner.json = arguments->json == "-";
     if (manner.json && arguments->markdown == "-") {
@@ -211,8 +330,9 @@ void add_compare(CLI::App& app, int& exit_code) {
                            .outputs = {arguments->json, arguments->markdown},
                            .force = arguments->force});
     arguments->options.time.threshold = arguments->threshold_percent / 100;
-    const bool builds = !arguments->base.empty() || arguments->calibrate;
-    exit_code = builds ? compare_builds(*arguments) : compare_files(*arguments);
+    exit_code = !arguments->turns.empty()  ? compare_in_turns(*arguments)
+                : !arguments->base.empty() ? compare_builds(*arguments)
+                                           : compare_files(*arguments);
   });
 }
 

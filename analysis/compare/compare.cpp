@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ar3d/analysis/compare/settings.h"
 #include "ar3d/base/printable.h"
 
 namespace ar3d {
@@ -14,6 +15,7 @@ namespace {
 struct Evidence {
   CellComparison cell = {};  ///< without verdict and time
   std::vector<FixedChange> fixed = {};
+  std::vector<double> log_ratios = {};  ///< of turns: one for each round
   bool is_drawn = false;  ///< some pair of drawings is there, so that there are times to judge
 };
 
@@ -75,16 +77,21 @@ FixedChange judge_fixed(const std::vector<FixedChange>& changes) {
   return {worst, std::move(reason)};
 }
 
+std::size_t rounds_needed(const Comparison& comparison, const TimeRule& rule) {
+  return comparison.times ? kFewestRounds : fewest_pairs(rule);
+}
+
 std::string undecided_reason(const TimeVerdict& time, const Comparison& comparison,
                              const TimeRule& rule) {
-  const std::size_t enough = comparison.times ? kFewestRounds : fewest_pairs(rule);
+  const std::size_t enough = rounds_needed(comparison, rule);
   if (time.test.pairs == 0) return "no time on both sides";
   if (time.test.pairs < enough) {
     return fmt::format("{} rounds of times; {} are needed", time.test.pairs, enough);
   }
   if (comparison.times && !comparison.times->is_known)
     return "nothing tells how fast the machine was";
-  return "the times' noise hides a change of the threshold's size";
+  return fmt::format("{} rounds show changes from {} on", time.test.pairs,
+                     rounded_percent(time.visible));
 }
 
 /// Weighs the noiseless verdict and the time's together. What was not drawn on both sides has no
@@ -112,20 +119,27 @@ void judge(CellComparison& cell, const FixedChange& fixed, bool is_drawn, const 
   }
   const bool is_slower = cell.time.change == TimeChange::slower;
   const std::string word = is_slower ? "slower" : "faster";
+  if (cell.time.follows_setting) {
+    return set(is_slower ? Verdict::regressed : Verdict::improved, word + " (as its setting)");
+  }
   if (comparison.times && !comparison.times->is_known) {
     return set(Verdict::inconclusive, word + " than all others on a machine of unknown speed");
   }
   set(is_slower ? Verdict::regressed : Verdict::improved, word);
 }
 
+/// @param settings  what rounds tell of each; empty for two files.
 Comparison judge_all(std::vector<Evidence> evidence, const std::vector<TimeVerdict>& times,
-                     Comparison comparison, const CompareOptions& options) {
+                     const SettingVerdicts& settings, Comparison comparison,
+                     const CompareOptions& options) {
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     CellComparison& cell = evidence[i].cell;
     cell.time = times[i];
+    cell.is_timed_enough = cell.time.test.pairs >= rounds_needed(comparison, options.time);
     judge(cell, judge_fixed(evidence[i].fixed), evidence[i].is_drawn, options.time, comparison);
     comparison.cells.push_back(std::move(cell));
   }
+  judge_settings(settings, comparison);
   return comparison;
 }
 
@@ -152,9 +166,13 @@ std::vector<TimeVerdict> judge_files(const std::vector<CellTimes>& cells, const 
     SignedRankTest& test = verdicts[i].test;
     test.pairs = cells[i].rounds;
     test.estimate = cells[i].ratio;
-    test.interval = {kMissing, kMissing};
-    verdicts[i].adjusted_p = kMissing;
+    test.p_greater = test.p_less = verdicts[i].adjusted_p = kMissing;  // nothing is tested
     verdicts[i].change = comparison.times->cells[i];
+    const double error = comparison.times->errors[i];
+    test.interval = {cells[i].ratio - error, cells[i].ratio + error};
+    for (const SettingTimes& setting : comparison.times->settings) {
+      if (setting.name == cells[i].setting) verdicts[i].visible = setting.least;
+    }
   }
   return verdicts;
 }
@@ -187,6 +205,20 @@ void note_pairing(const Pairing& pairing, Comparison& comparison) {
     add_once(
         comparison.incomplete,
         fmt::format("{} drawn measurements have no time above 0 (NaN, 0 or infinite)", untimed));
+  }
+  const auto is_unfinished = [](const RunRecord& run) {
+    return run.status == RunStatus::timeout || run.status == RunStatus::out_of_memory ||
+           run.status == RunStatus::crashed;
+  };
+  const auto failed = [&](const PairedRow& row) {
+    return is_unfinished(*row.base) && is_unfinished(*row.now);
+  };
+  for (const PairedCell& cell : pairing.cells) {
+    const auto at = std::ranges::find_if(cell.rows, failed);
+    if (at == cell.rows.end()) continue;
+    add_once(comparison.incomplete,
+             fmt::format("{} came out on neither side: {}", one_line(cell_label(cell.key, cell.n)),
+                         one_line(at->now->message)));
   }
   if (pairing.fewer > 0) {
     add_once(comparison.remarks,
@@ -224,6 +256,7 @@ void note_versions(const Results& base, const Results& now, Comparison& comparis
   }
   const auto text = [](const std::string& of) { return of.empty() ? "unknown" : one_line(of); };
   for (const auto& [name, of] : versions) {
+    if (of[0] == of[1]) continue;
     comparison.remarks.push_back(fmt::format("{}: version {} in BASE, {} in NEW",
                                              one_line(name.substr(kVersion.size())), text(of[0]),
                                              text(of[1])));
@@ -235,7 +268,6 @@ void note_versions(const Results& base, const Results& now, Comparison& comparis
 Comparison first_look(const Results& base, const Results& now, const CompareOptions& options,
                       bool in_turns) {
   Comparison comparison;
-  comparison.base_commit = base.source_hash;
   comparison.drawings_only = options.drawings_only;
   comparison.is_copy = !in_turns && holds_same_measurements(base, now);
   if (comparison.is_copy) comparison.remarks.push_back("BASE and NEW hold the same measurements");
@@ -255,6 +287,18 @@ Comparison first_look(const Results& base, const Results& now, const CompareOpti
   return comparison;
 }
 
+/// As judge_times, with the smallest change that each shows.
+std::vector<TimeVerdict> judge_rounds(const std::vector<std::vector<double>>& log_ratios,
+                                      const TimeRule& rule) {
+  std::vector<TimeVerdict> times = judge_times(log_ratios, rule);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    std::vector<double> noise = log_ratios[i];
+    for (double& ratio : noise) ratio -= times[i].test.estimate;
+    times[i].visible = std::log1p(smallest_visible_slowdown(std::move(noise), rule, times.size()));
+  }
+  return times;
+}
+
 }  // namespace
 
 Comparison compare(const Results& base, const Results& now, const CompareOptions& options) {
@@ -269,7 +313,7 @@ Comparison compare(const Results& base, const Results& now, const CompareOptions
     cells.push_back(cell_times(cell));
   }
   const std::vector<TimeVerdict> times = judge_files(cells, base, now, options.time, comparison);
-  return judge_all(std::move(evidence), times, std::move(comparison), options);
+  return judge_all(std::move(evidence), times, {}, std::move(comparison), options);
 }
 
 Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Results>& now,
@@ -278,74 +322,37 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
   Comparison comparison = first_look(base.front(), now.front(), options, true);
   std::map<std::pair<CurveKey, std::int64_t>, std::size_t> place_of;
   std::vector<Evidence> evidence;
+  std::map<std::string, std::vector<double>> rounds_of;  // of a setting
   for (std::size_t round = 0; round < base.size(); ++round) {
     require_same_study(base[round], now[round]);
     const Pairing pairing = pair_rows(base[round], now[round]);
     note_pairing(pairing, comparison);
+    std::map<std::string, std::vector<double>> of_round;
     for (const PairedCell& cell : pairing.cells) {
       const auto [place, is_new] = place_of.try_emplace({cell.key, cell.n}, evidence.size());
       if (is_new) evidence.push_back(evidence_of(cell));
       Evidence& into = evidence[place->second];
       add_pairs(cell, options, into);
       const double ratio = round_log_time_ratio(cell);
-      if (std::isfinite(ratio)) into.cell.log_ratios.push_back(ratio);
+      if (!std::isfinite(ratio)) continue;
+      into.log_ratios.push_back(ratio);
+      of_round[algorithm_label(cell.key)].push_back(ratio);
     }
+    for (auto& [name, ratios] : of_round) rounds_of[name].push_back(median(std::move(ratios)));
   }
-  std::vector<std::vector<double>> log_ratios;
-  for (const Evidence& cell : evidence) log_ratios.push_back(cell.cell.log_ratios);
-  const std::vector<TimeVerdict> times = judge_times(log_ratios, options.time);
-  return judge_all(std::move(evidence), times, std::move(comparison), options);
-}
-
-const char* to_string(Verdict verdict) {
-  constexpr const char* kWords[] = {"PASS",         "IMPROVED",  "UNJUDGED",
-                                    "INCONCLUSIVE", "REGRESSED", "VIOLATED"};
-  return kWords[static_cast<std::size_t>(verdict)];
-}
-
-std::size_t Comparison::count(Verdict verdict) const {
-  return static_cast<std::size_t>(std::count_if(
-      cells.begin(), cells.end(), [&](const auto& cell) { return cell.verdict == verdict; }));
-}
-
-std::string Comparison::word() const {
-  constexpr const char* kWords[] = {"REGRESSED", "VIOLATED", "INCOMPLETE", "INCONCLUSIVE",
-                                    "UNJUDGED"};  // by exit code, from 3 on
-  if (const int code = exit_code(); code > 0) return kWords[code - 3];
-  const Verdict good = count(Verdict::improved) > 0 ? Verdict::improved : Verdict::pass;
-  return (drawings_only ? "DRAWINGS " : "") + std::string(to_string(good));
-}
-
-int Comparison::exit_code() const {
-  if (count(Verdict::violated) > 0) return 4;
-  if (count(Verdict::regressed) > 0) return 3;
-  if (!incomplete.empty() || cells.empty()) return 5;
-  if (count(Verdict::inconclusive) > 0) return 6;
-  return count(Verdict::unjudged) > 0 ? 7 : 0;
-}
-
-std::string Comparison::judged() const {
-  if (drawings_only) return "drawings only, as asked";
-  const auto by_counts = static_cast<std::size_t>(std::count_if(
-      cells.begin(), cells.end(), [](const auto& cell) { return cell.counts.is_known(); }));
-  std::string text = "drawings";
-  if (by_counts > 0) {
-    text += fmt::format(
-        ", and by counts (instructions, simulated cache), which have no noise, {} of {} cells",
-        by_counts, cells.size());
+  std::vector<std::vector<double>> of_cells, of_settings;
+  for (const Evidence& cell : evidence) of_cells.push_back(cell.log_ratios);
+  for (const auto& [name, ratios] : rounds_of) of_settings.push_back(ratios);
+  std::vector<TimeVerdict> times = judge_rounds(of_cells, options.time);
+  const std::vector<TimeVerdict> all = judge_rounds(of_settings, options.time);
+  SettingVerdicts settings;
+  for (const auto& [name, ratios] : rounds_of) settings[name] = all[settings.size()];
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    const auto setting = settings.find(algorithm_label(evidence[i].cell.key));
+    if (setting == settings.end()) continue;
+    follow_setting(setting->second, of_cells[i], options.time, times.size(), times[i]);
   }
-  const bool has_timed = by_counts < cells.size();
-  if (!time_judged && by_counts == 0) return "drawings only; times cannot be compared";
-  if (!time_judged) return text + (has_timed ? "; times cannot be compared" : "");
-  if (has_timed) text += by_counts > 0 ? ", the others by times" : " and times";
-  if (!times || times->settings.empty()) return text;
-  text += ". " + times_sentence(*times);
-  if (count(Verdict::inconclusive) == 0) return text;
-  const bool is_commit = base_commit.size() == 40;
-  return text +
-         fmt::format(". To know more: `ar3d compare --base {}` runs both builds in turns{}",
-                     is_commit ? base_commit.substr(0, 12) : "COMMIT",
-                     times->is_known ? ", or measure more rounds" : ", or measure both again");
+  return judge_all(std::move(evidence), times, settings, std::move(comparison), options);
 }
 
 }  // namespace ar3d

@@ -58,27 +58,44 @@ struct CellComparison {
   std::size_t rows = 0;
   Verdict verdict = Verdict::pass;
   std::string reason;              ///< one line, empty for a plain pass
+  std::string cause;               ///< what the reason says before its first number
   CountChange counts;              ///< known: they decide, and times are no verdict
   TimeVerdict time;                ///< of log(new / base)
-  std::vector<double> log_ratios;  ///< of builds in turns: one per round
+  bool is_timed_enough = false;    ///< there are as many rounds of times as a verdict needs
   /// Holds log2(new / base) of the volume, of the pair of drawings in which it changed most.
   double log2_volume_change = 0;
 };
 
+/// Describes what all cells of one algorithm with its options say together.
+struct SettingComparison {
+  std::string name;  ///< algorithm_label()
+  std::size_t cells = 0;
+  Verdict verdict = Verdict::pass;  ///< the heaviest of its cells and, in turns, of its times
+  std::size_t of_verdict = 0;       ///< cells that have it
+  std::string cause;                ///< what most of these have in common; empty for a plain pass
+  double instructions = kMissing;   ///< log(new / base), median over its counted cells
+  std::size_t pairs = 0;            ///< rounds of times, of the cell with the fewest
+  double change = kMissing;   ///< log(new / base) of its times; of two files against all others
+  double error = kMissing;    ///< `change` is within +- error with 95 %
+  double visible = kMissing;  ///< smallest change that so many rounds show
+  double visible_alone = kMissing;  ///< likewise in one cell alone, of its noisiest
+};
+
 struct Comparison {
-  std::vector<CellComparison> cells;  ///< in base's order
+  std::vector<CellComparison> cells;        ///< in base's order
+  std::vector<SettingComparison> settings;  ///< the heaviest verdicts first
   std::vector<EnvironmentChange> environment;
   bool time_judged = true;         ///< false: unlike environments, times are shown but are no gate
   bool drawings_only = false;      ///< times were not to be judged
   bool is_copy = false;            ///< the two hold the same measurements, down to every time
   std::optional<FileTimes> times;  ///< of two files
-  std::string base_commit;         ///< that BASE's program was built from
+  std::string remedy;              ///< a command that takes turns; empty: none is known
   std::size_t rows = 0;            ///< measurements that both sides hold
   std::vector<std::string> incomplete;  ///< why the comparison is not whole, one line each
   std::vector<std::string> remarks;     ///< one line each
 
-  std::size_t count(Verdict verdict) const;
-  /// Returns the heaviest verdict of all cells, between which stands INCOMPLETE (below REGRESSED).
+  std::size_t count(Verdict verdict) const;  ///< of cells
+  /// Returns the heaviest verdict of all cells and settings, between which stands INCOMPLETE (below REGRESSED).
   /// PASS and IMPROVED say that everything was judged; "DRAWINGS PASS" and "DRAWINGS IMPROVED" that
   /// times were not to be.
   std::string word() const;
@@ -98,28 +115,33 @@ struct Comparison {
 /// @throws InputError if the two are of different studies, or one holds a measurement twice.
 Comparison compare(const Results& base, const Results& now, const CompareOptions& options = {});
 
+/// Compares settings of one results file: drawings always, times of its timing phase if it drew the
+/// settings of each graph in turns (kTimingOrder). A round is one repetition in one session.
+/// @param pairs  each becomes the setting of its name.
+/// @throws InputError as compare().
+Comparison compare_settings(const Results& results, const std::vector<SettingPair>& pairs,
+                            const CompareOptions& options = {});
+
 /// Compares two programs that took turns: base[i] and now[i] were measured one right after the
 /// other, and a pair is a round. Load that disturbed both is no reason not to judge times.
 /// @param base, now  equally many, at least one.
 Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Results>& now,
                           const CompareOptions& options = {});
 
-/// Returns a text for a terminal: the environment where it differs, the cells that did not pass,
-/// `most_cells` of each kind, the largest changes of time and volume whatever the verdict, and the
+/// Holds how many lines one cause has, that of its setting included.
+inline constexpr std::size_t kLinesOfCause = 10;
+
+/// Returns a text for a terminal: a line for each setting, the environment where it differs, the
+/// cells that did not pass, the largest changes of time and volume of those that did, and the
 /// verdict with what it judged. No times where drawings only were to be judged.
-std::string summary(const Comparison& comparison, const CompareOptions& options,
-                    std::size_t most_cells = 20);
-std::string summary(const Calibration& calibration, const TimeRule& rule);
+std::string summary(const Comparison& comparison, const CompareOptions& options);
 
-/// Returns the same as Markdown, for a comment on a change: the verdict as a heading, what was
-/// judged, a table of the cells that did not pass and of the largest changes. Every foreign text
-/// stands in a code span, out of which no text leads.
-std::string comparison_markdown(const Comparison& comparison, const CompareOptions& options,
-                                std::size_t most_cells = 20);
+/// Returns the same as Markdown, for a comment on a change: the verdict as a heading, a line for
+/// each setting that did not pass, what was judged, and folded a table of the cells. Every foreign
+/// text stands in a code span, out of which no text leads.
+std::string comparison_markdown(const Comparison& comparison, const CompareOptions& options);
 
-/// Returns everything, for programs; missing numbers are null. @param calibration  null if there
-/// was none.
-std::string comparison_json(const Comparison& comparison, const CompareOptions& options,
-                            const Calibration* calibration = nullptr);
+/// Returns everything, for programs; missing numbers are null.
+std::string comparison_json(const Comparison& comparison, const CompareOptions& options);
 
 }  // namespace ar3d

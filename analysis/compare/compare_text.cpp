@@ -6,7 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "ar3d/analysis/compare/compare.h"
+#include "ar3d/analysis/compare/settings.h"
 #include "ar3d/analysis/table.h"
 #include "ar3d/base/printable.h"
 
@@ -22,8 +22,8 @@ ordered_json time_json(const TimeVerdict& time) {
           {"ratio", json_number(std::exp(test.estimate))},
           {"ratio_low", json_number(std::exp(test.interval.low))},
           {"ratio_high", json_number(std::exp(test.interval.high))},
-          {"p_value", json_number(test.p_value())},
-          {"adjusted_p_value", json_number(time.adjusted_p)}};
+          {"p_value", json_number(test.pairs == 0 ? kMissing : test.p_value())},
+          {"adjusted_p_value", json_number(test.pairs == 0 ? kMissing : time.adjusted_p)}};
 }
 
 ordered_json cell_json(const CellComparison& cell) {
@@ -55,28 +55,10 @@ ordered_json times_json(const FileTimes& times) {
   for (std::size_t i = 0; i < kYardsticks.size(); ++i) {
     json["yardsticks"][kYardsticks[i]] = json_number(std::exp(times.yardsticks[i]));
   }
-  json["settings"] = ordered_json::array();
-  for (const SettingTimes& setting : times.settings) {
-    json["settings"].push_back({{"setting", valid_utf8(setting.name)},
-                                {"cells", setting.cells},
-                                {"distance", json_number(std::exp(setting.distance))},
-                                {"low", json_number(std::exp(setting.distance - setting.error))},
-                                {"high", json_number(std::exp(setting.distance + setting.error))}});
-  }
   return json;
 }
 
-ordered_json calibration_json(const Calibration& calibration) {
-  return {{"cells", calibration.cells},
-          {"pairs", calibration.pairs},
-          {"false_alarms", calibration.false_alarms},
-          {"relabellings", calibration.relabellings},
-          {"false_alarm_rate", json_number(calibration.false_alarm_rate())},
-          {"smallest_slowdown_median", json_number(calibration.smallest_slowdown_median)},
-          {"smallest_slowdown_worst", json_number(calibration.smallest_slowdown_worst)}};
-}
-
-constexpr std::size_t kLargestChanges = 10;
+constexpr std::size_t kLargestChanges = 3;
 
 std::string percent(double ratio) { return fmt::format("{:+.1f} %", 100 * (ratio - 1)); }
 
@@ -108,36 +90,93 @@ std::string cell_line(const CellComparison& cell, bool shows_times) {
                      cell_label(cell.key, cell.n), time, between, cell.reason);
 }
 
-/// Lines of the cells that did not plainly pass, the heaviest verdicts first: `most_cells` of each
-/// verdict, and how many more there are.
-std::string cell_lines(const Comparison& comparison, std::size_t most_cells,
+bool has_line(const CellComparison& cell) {
+  return cell.verdict != Verdict::pass && cell.verdict != Verdict::unjudged;
+}
+
+/// Lines of the cells that did not plainly pass, the heaviest verdicts first: of each cause (a
+/// setting, a verdict and why) as many as fit beside the line of the setting and of the largest
+/// changes, and how many more there are.
+std::string cell_lines(const Comparison& comparison,
                        const std::function<std::string(const CellComparison&, bool)>& line,
-                       fmt::format_string<const char*, std::size_t> more) {
+                       fmt::format_string<const char*, std::size_t, const std::string&> more) {
   std::string text;
-  for (const Verdict verdict :
-       {Verdict::violated, Verdict::regressed, Verdict::inconclusive, Verdict::improved}) {
-    std::size_t shown = 0;
+  for (const SettingComparison& setting : comparison.settings) {
+    std::map<std::pair<Verdict, std::string>, std::vector<const CellComparison*>, std::greater<>>
+        causes;
     for (const CellComparison& cell : comparison.cells) {
-      if (cell.verdict == verdict && shown++ < most_cells)
-        text += line(cell, !comparison.drawings_only);
+      if (!has_line(cell) || algorithm_label(cell.key) != setting.name) continue;
+      causes[{cell.verdict, cell.cause}].push_back(&cell);
     }
-    if (shown > most_cells) text += fmt::format(more, to_string(verdict), shown - most_cells);
+    for (const auto& [cause, cells] : causes) {
+      const std::size_t shown = std::min(cells.size(), kLinesOfCause - 2);
+      for (std::size_t i = 0; i < shown; ++i) text += line(*cells[i], !comparison.drawings_only);
+      if (shown < cells.size()) {
+        text += fmt::format(more, to_string(cause.first), cells.size() - shown, setting.name);
+      }
+    }
   }
   return text;
 }
 
-/// Returns what changed most, in every case: a change that was not judged is seen, too.
+/// "time -1.0 % +- 19 %: 15 rounds show changes from 24 % on", as far as it is known.
+std::string evidence_text(const SettingComparison& setting) {
+  std::string text;
+  if (!std::isnan(setting.instructions)) {
+    text += "; instructions " + percent(std::exp(setting.instructions));
+  }
+  if (!std::isfinite(setting.error)) return text;
+  text += fmt::format("; time {} ± {}", percent(std::exp(setting.change)),
+                      rounded_percent(setting.error));
+  if (!std::isfinite(setting.visible)) return text;
+  if (setting.verdict == Verdict::inconclusive) {
+    text += fmt::format(": {} rounds show changes from {} on", setting.pairs,
+                        rounded_percent(setting.visible));
+  } else if (setting.verdict == Verdict::pass && setting.visible_alone > setting.visible) {
+    text += fmt::format("; in one cell alone it shows from {} on",
+                        rounded_percent(setting.visible_alone));
+  }
+  return text;
+}
+
+/// "3 of 6 cells: larger volume; time …"
+std::string setting_text(const SettingComparison& setting) {
+  return fmt::format("{} of {} cells{}{}{}", setting.of_verdict, setting.cells,
+                     setting.cause.empty() ? "" : ": ", setting.cause, evidence_text(setting));
+}
+
+ordered_json settings_json(const Comparison& comparison) {
+  const auto ratio = [](double log) { return json_number(std::exp(log)); };
+  ordered_json settings = ordered_json::array();
+  for (const SettingComparison& setting : comparison.settings) {
+    settings.push_back({{"setting", valid_utf8(setting.name)},
+                        {"verdict", to_string(setting.verdict)},
+                        {"cells", setting.cells},
+                        {"cells_of_verdict", setting.of_verdict},
+                        {"cause", valid_utf8(setting.cause)},
+                        {"instructions_ratio", ratio(setting.instructions)},
+                        {"rounds", setting.pairs},
+                        {"time_ratio", ratio(setting.change)},
+                        {"time_ratio_low", ratio(setting.change - setting.error)},
+                        {"time_ratio_high", ratio(setting.change + setting.error)},
+                        {"visible_ratio", ratio(setting.visible)},
+                        {"visible_in_one_cell_ratio", ratio(setting.visible_alone)}});
+  }
+  return settings;
+}
+
+/// Returns what changed most among the cells without a line: a change that was not judged is seen.
 std::string largest_changes(const Comparison& comparison, std::size_t most) {
   std::string text;
   const auto add = [&](const char* what, const auto& size, const auto& told) {
     std::vector<const CellComparison*> cells;
     for (const CellComparison& cell : comparison.cells) {
-      if (std::abs(size(cell)) > 0) cells.push_back(&cell);  // no NaN
+      if (!has_line(cell) && std::abs(size(cell)) > 0) cells.push_back(&cell);  // no NaN
     }
     std::ranges::stable_sort(cells, std::greater(),
                              [&](const auto* cell) { return std::abs(size(*cell)); });
     cells.resize(std::min(cells.size(), most));
-    text += fmt::format("largest changes of {}{}\n", what, cells.empty() ? ": none" : "");
+    if (!cells.empty()) text += fmt::format("largest other changes of {}\n", what);
     for (const CellComparison* cell : cells) {
       text += fmt::format("  {:<58} {}\n", cell_label(cell->key, cell->n), told(*cell));
     }
@@ -218,8 +257,7 @@ std::string markdown_row(const CellComparison& cell, bool shows_times) {
 
 }  // namespace
 
-std::string comparison_json(const Comparison& comparison, const CompareOptions& options,
-                            const Calibration* calibration) {
+std::string comparison_json(const Comparison& comparison, const CompareOptions& options) {
   ordered_json json;
   json["verdict"] = comparison.word();
   json["exit_code"] = comparison.exit_code();
@@ -243,45 +281,59 @@ std::string comparison_json(const Comparison& comparison, const CompareOptions& 
     json[name] = ordered_json::array();
     for (const std::string& line : *lines) json[name].push_back(valid_utf8(line));
   }
+  json["settings"] = settings_json(comparison);
   if (comparison.times) json["times"] = times_json(*comparison.times);
-  if (calibration != nullptr) json["calibration"] = calibration_json(*calibration);
   json["cells"] = ordered_json::array();
   for (const CellComparison& cell : comparison.cells) json["cells"].push_back(cell_json(cell));
   return json.dump(1) + "\n";
 }
 
-std::string comparison_markdown(const Comparison& comparison, const CompareOptions& options,
-                                std::size_t most_cells) {
-  std::string text =
-      fmt::format("## ar3d compare: {}\n\n{}\n\nJudged: {}. Exit code {}.\n", comparison.word(),
-                  counts_text(comparison), comparison.judged(), comparison.exit_code());
-  const std::string rows =
-      cell_lines(comparison, most_cells, markdown_row, "| {} | {} more | | | |\n");
-  if (!rows.empty()) {
-    text += "\n| verdict | cell | counts, time | volume | reason |\n|---|---|---|---|---|\n" + rows;
+std::string comparison_markdown(const Comparison& comparison, const CompareOptions& options) {
+  std::string text = fmt::format("## ar3d compare: {}\n\n", comparison.word());
+  std::size_t passed = 0;
+  for (const SettingComparison& setting : comparison.settings) {
+    if (setting.verdict == Verdict::pass && ++passed > 0) continue;
+    text += fmt::format("- **{}** {}: {}\n", to_string(setting.verdict), code_span(setting.name),
+                        setting_text(setting));
+  }
+  if (passed > 0) {
+    text += fmt::format("- PASS: {}\n", passed == 1 ? code_span(comparison.settings.back().name) +
+                                                          evidence_text(comparison.settings.back())
+                                                    : fmt::format("{} settings", passed));
   }
   for (const std::string& line : comparison.incomplete) {
-    text += "\n- incomplete: " + code_span(line);
+    text += "- incomplete: " + code_span(line) + "\n";
   }
-  for (const std::string& line : comparison.remarks) text += "\n- note: " + code_span(line);
+  for (const std::string& line : comparison.remarks) text += "- note: " + code_span(line) + "\n";
   for (const EnvironmentChange& change : comparison.environment) {
     if (comparison.drawings_only) break;
     text += change.differs()
-                ? fmt::format("\n- unlike environments: {} was {}, is {}", code_span(change.name),
+                ? fmt::format("- unlike environments: {} was {}, is {}\n", code_span(change.name),
                               code_span(change.base), code_span(change.now))
-                : fmt::format("\n- busy machine: {} was {} in both", code_span(change.name),
+                : fmt::format("- busy machine: {} was {} in both\n", code_span(change.name),
                               code_span(change.base));
   }
-  return text +
-         fmt::format("\n\n<details><summary>Everything</summary>\n\n~~~\n{}~~~\n\n</details>\n",
-                     summary(comparison, options, most_cells));
+  text += fmt::format("\n<details><summary>{}</summary>\n\nJudged: {}. Rule: {}. Exit code {}.\n",
+                      counts_text(comparison), comparison.judged(), rule_text(options),
+                      comparison.exit_code());
+  const std::string rows = cell_lines(comparison, markdown_row, "| {} | {} more of {} | | | |\n");
+  if (!rows.empty()) {
+    text += "\n| verdict | cell | counts, time | volume | reason |\n|---|---|---|---|---|\n" + rows;
+  }
+  const std::string changes = largest_changes(comparison, kLargestChanges);
+  if (!changes.empty()) text += fmt::format("\n~~~\n{}~~~\n", changes);
+  return text + "\n</details>\n";
 }
 
-std::string summary(const Comparison& comparison, const CompareOptions& options,
-                    std::size_t most_cells) {
-  std::string text = environment_text(comparison) +
-                     cell_lines(comparison, most_cells, cell_line, "{:<12} {} more\n") +
-                     largest_changes(comparison, kLargestChanges);
+std::string summary(const Comparison& comparison, const CompareOptions& options) {
+  std::string text;
+  for (const SettingComparison& setting : comparison.settings) {
+    text += fmt::format("{:<12} {:<28} {}\n", to_string(setting.verdict), one_line(setting.name),
+                        setting_text(setting));
+  }
+  text += environment_text(comparison) +
+          cell_lines(comparison, cell_line, "{:<12} {} more of {}\n") +
+          largest_changes(comparison, kLargestChanges);
   for (const std::string& line : comparison.incomplete) text += "INCOMPLETE   " + line + "\n";
   for (const std::string& line : comparison.remarks) text += "note         " + line + "\n";
   if (const std::size_t others = other_drawings(comparison); others > 0) {
@@ -291,24 +343,6 @@ std::string summary(const Comparison& comparison, const CompareOptions& options,
   text += fmt::format("judged: {}\n", comparison.judged());
   text += fmt::format("rule: {}; exit code {}\n", rule_text(options), comparison.exit_code());
   return text;
-}
-
-std::string summary(const Calibration& calibration, const TimeRule& rule) {
-  std::string text = fmt::format(
-      "calibration  the program against itself: {} false alarms in {} cells of {} pairs\n",
-      calibration.false_alarms, calibration.cells, calibration.pairs);
-  text +=
-      fmt::format("             false-alarm rate {:.4f} % a cell (its pairs relabelled {} times)\n",
-                  100 * calibration.false_alarm_rate(), calibration.relabellings);
-  if (!std::isfinite(calibration.smallest_slowdown_median)) {
-    return text + fmt::format("             no slowdown is visible: {} cells need {} pairs\n",
-                              calibration.cells, fewest_pairs(rule, calibration.cells));
-  }
-  return text + fmt::format(
-                    "             smallest slowdown found 99 times of 100: {:.1f} % in half of the "
-                    "cells, {:.1f} % in all\n",
-                    100 * calibration.smallest_slowdown_median,
-                    100 * calibration.smallest_slowdown_worst);
 }
 
 }  // namespace ar3d

@@ -12,6 +12,7 @@ constexpr double kErrors = 2;          // standard errors that an interval is wi
 constexpr double kLeastError = 0.003;  // of a build's place in memory
 constexpr double kFelt = 0.3;          // of a state of the machine settings feel this share unlike
 constexpr double kAsFast = 0.025;      // log of a factor of the machine that is not worth a word
+constexpr double kMemoryAsFast = 0.1;  // that of its memory, whose yardstick is noisier
 constexpr double kPlaced = 6;          // thresholds by which its place in memory may move one graph
 constexpr double kAlone = 10;          // residuals by which a single cell has to move
 constexpr double kNoise = 6;           // residuals within which it has not moved,
@@ -75,7 +76,10 @@ class FileJudge {
     measure_machine();
     measure_residual();
     for (std::size_t i = 0; i < by_setting_.size(); ++i) judge_setting(i);
-    for (const CellTimes& cell : cells_) times_.cells.push_back(change_of_cell(cell));
+    for (const CellTimes& cell : cells_) {
+      times_.cells.push_back(change_of_cell(cell));
+      times_.errors.push_back(cell.rounds == 0 ? kMissing : error_of_cell(cell));
+    }
     return std::move(times_);
   }
 
@@ -119,6 +123,11 @@ class FileJudge {
                size + setting.error < limit_) {
       setting.change = TimeChange::same;
     }
+  }
+
+  double error_of_cell(const CellTimes& cell) const {
+    const SettingTimes& setting = times_.settings[place_of_.at(cell.setting)];
+    return std::hypot(kErrors * cell.spread, setting.error);
   }
 
   TimeChange change_of_cell(const CellTimes& cell) const {
@@ -221,13 +230,15 @@ std::string times_sentence(const FileTimes& times) {
   const auto factor = [](double log) {
     return std::isnan(log) ? std::string("-") : fmt::format("{:.2f}", std::exp(log));
   };
-  std::string text = "The machine was as fast in both";
+  const bool has_yardsticks = !std::isnan(times.yardsticks[0]);
+  const bool is_memory_alike = std::abs(times.yardsticks[1]) <= kMemoryAsFast;
+  std::string text = is_memory_alike ? "The machine was as fast in both"
+                                     : "The machine's cores were as fast in both, its memory not";
   if (!times.is_known) {
     text = "NEW ran on a machine of another speed, or the whole program changed";
   } else if (std::abs(times.machine) > kAsFast) {
     text = "NEW ran on a machine of another speed, which yardsticks account for";
   }
-  const bool has_yardsticks = !std::isnan(times.yardsticks[0]);
   if (!has_yardsticks) text = "Without yardsticks in both, how fast the machine was is not known";
   text += fmt::format(": {}times are (NEW over BASE)", has_yardsticks ? "its " : "");
   for (std::size_t i = 0; has_yardsticks && i < kYardsticks.size(); ++i) {

@@ -60,6 +60,7 @@ struct FileTimes {
   bool is_known = true;                ///< the yardsticks account for how fast the machine was
   std::vector<SettingTimes> settings;  ///< those with a time, in the order of the cells
   std::vector<TimeChange> cells;       ///< one for each cell
+  std::vector<double> errors;  ///< of each cell: its ratio is within +- error; NaN: not timed
 };
 
 inline constexpr std::size_t kFewestRounds = 4;

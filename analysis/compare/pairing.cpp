@@ -132,8 +132,9 @@ void compare_status(const RunRecord& base, const RunRecord& now,
   } else if (base.status != now.status) {
     const int before = rank_of(base.status), after = rank_of(now.status);
     const Verdict verdict = before == after ? Verdict::pass : direction(after < before);
-    changes.push_back({verdict, fmt::format("status {} became {}", to_string(base.status),
-                                            to_string(now.status))});
+    const std::string why = now.message.empty() ? "" : ": " + now.message;
+    changes.push_back({verdict, fmt::format("status {} became {}{}", to_string(base.status),
+                                            to_string(now.status), why)});
   } else if (base.violations >= 0 && now.violations < 0 && now.status == RunStatus::ok) {
     changes.push_back({Verdict::regressed, "no longer certified"});
   } else if (is_unproved(base) != is_unproved(now)) {

@@ -1,4 +1,4 @@
-// When a change of time counts, and how often a program seems to differ from itself.
+// When a change of time counts.
 #include "ar3d/analysis/compare/time_change.h"
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "ar3d/base/error.h"
-#include "ar3d/base/random.h"
 
 namespace ar3d {
 
@@ -45,35 +44,6 @@ TimeChange change_of(const TimeVerdict& verdict, const TimeRule& rule) {
   // NaN ends, where pairs are too few, compare false.
   const bool inside = test.interval.low > -limit && test.interval.high < limit;
   return inside ? TimeChange::same : TimeChange::undecided;
-}
-
-using Ratios = std::vector<std::vector<double>>;
-
-std::size_t alarms(const Ratios& ratios, const TimeRule& rule) {
-  const std::vector<TimeVerdict> verdicts = judge_times(ratios, rule);
-  return static_cast<std::size_t>(
-      std::count_if(verdicts.begin(), verdicts.end(), [](const TimeVerdict& verdict) {
-        return verdict.change == TimeChange::slower || verdict.change == TimeChange::faster;
-      }));
-}
-
-Ratios relabelled(const Ratios& ratios, RandomStream& coins) {
-  std::size_t rounds = 0;
-  for (const auto& cell : ratios) rounds = std::max(rounds, cell.size());
-  std::vector<double> sign(rounds);
-  for (double& value : sign) value = coins.below(2) == 0 ? 1 : -1;
-  Ratios result = ratios;
-  for (auto& cell : result) {
-    for (std::size_t i = 0; i < cell.size(); ++i) cell[i] *= sign[i];
-  }
-  return result;
-}
-
-/// The smallest value that at least the share p of the values does not pass; infinities count.
-double nearest_rank(std::vector<double> values, double p) {
-  std::sort(values.begin(), values.end());
-  const auto place = static_cast<std::size_t>(std::ceil(p * static_cast<double>(values.size())));
-  return values[std::min(values.size(), std::max<std::size_t>(1, place)) - 1];
 }
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -135,39 +105,6 @@ double smallest_visible_slowdown(std::vector<double> log_ratios, const TimeRule&
   return std::expm1(std::max(-averages[*critical], std::log1p(rule.threshold) - estimate));
 }
 
-double Calibration::false_alarm_rate() const {
-  const double judged = static_cast<double>(cells) * static_cast<double>(relabellings);
-  return judged > 0 ? static_cast<double>(relabelled_alarms) / judged : 0;
-}
-
-Calibration calibrate(const std::vector<std::vector<double>>& log_ratios, const TimeRule& rule,
-                      std::size_t relabellings, std::uint64_t seed) {
-  Ratios timed = log_ratios;
-  std::erase_if(timed, [](const auto& cell) { return cell.empty(); });
-  Calibration result;
-  result.cells = timed.size();
-  result.relabellings = relabellings;
-  if (timed.empty()) return result;
-  result.pairs = std::min_element(timed.begin(), timed.end(), [](const auto& a, const auto& b) {
-                   return a.size() < b.size();
-                 })->size();
-  result.false_alarms = alarms(timed, rule);
-  std::vector<std::vector<double>> slowdowns(timed.size());
-  RandomStream coins(seed);
-  for (std::size_t i = 0; i < relabellings; ++i) {
-    const Ratios again = relabelled(timed, coins);
-    result.relabelled_alarms += alarms(again, rule);
-    for (std::size_t cell = 0; cell < again.size(); ++cell) {
-      slowdowns[cell].push_back(smallest_visible_slowdown(again[cell], rule, again.size()));
-    }
-  }
-  std::vector<double> found;  // in 99 of 100 relabellings
-  for (const auto& cell : slowdowns) found.push_back(nearest_rank(cell, 0.99));
-  result.smallest_slowdown_median = nearest_rank(found, 0.5);
-  result.smallest_slowdown_worst = nearest_rank(found, 1);
-  return result;
-}
-
 SignedRankDistribution::SignedRankDistribution(std::size_t pairs) : pairs_(pairs) {
   if (pairs <= kExactPairs) cumulative_ = cumulative_of(pairs);
 }
@@ -206,7 +143,7 @@ std::vector<double> walsh_averages(std::span<const double> differences) {
   return averages;
 }
 
-double SignedRankTest::p_value() const { return std::min(1.0, 2 * std::min(p_greater, p_less)); }
+double SignedRankTest::p_value() const { return std::min(2 * std::min(p_greater, p_less), 1.0); }
 
 SignedRankTest signed_rank_test(std::span<const double> differences,
                                 const SignedRankDistribution& distribution, double confidence) {

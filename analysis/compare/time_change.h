@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,7 +42,7 @@ struct SignedRankTest {
   Interval interval{};     ///< for the centre; NaN ends where pairs are too few for the confidence
   double p_greater = 1;    ///< against "centred at 0 or below"
   double p_less = 1;       ///< against "centred at 0 or above"
-  double p_value() const;  ///< two-sided
+  double p_value() const;  ///< two-sided; NaN where nothing was tested
 };
 
 /// Tests whether the differences are centred at 0. Ties and zeros count against the alternative,
@@ -60,7 +61,7 @@ std::vector<double> adjusted_p_values(std::span<const double> p_values);
 struct TimeRule {
   double threshold = 0.05;             ///< smaller changes do not matter: 0.05 is 5 %
   double significance = 0.001;         ///< largest two-sided p-value of one cell
-  double false_discovery_rate = 0.05;  ///< largest adjusted p-value over all cells
+  double false_discovery_rate = 0.002;  ///< largest adjusted p-value over all cells
   double confidence = 0.95;            ///< of the interval of a cell's ratio
 };
 
@@ -74,7 +75,10 @@ enum class TimeChange {
 struct TimeVerdict {
   SignedRankTest test;  ///< of log(new time / base time); pairs = 0 if nothing was timed
   double adjusted_p = 1;
+  /// Holds log(1 + smallest change that is found with this noise), where the comparison says so.
+  double visible = std::numeric_limits<double>::infinity();
   TimeChange change = TimeChange::undecided;
+  bool follows_setting = false;  ///< its own pairs leave it open
 };
 
 /// Returns the fewest pairs that can be significant: all of them point one way.
@@ -93,27 +97,5 @@ std::vector<TimeVerdict> judge_times(const std::vector<std::vector<double>>& log
 /// are too few pairs.
 double smallest_visible_slowdown(std::vector<double> log_ratios, const TimeRule& rule,
                                  std::size_t cells);
-
-/// Holds what a comparison of a program with itself tells about the machine.
-struct Calibration {
-  std::size_t cells = 0;         ///< with at least one pair
-  std::size_t pairs = 0;         ///< of the cell with the fewest
-  std::size_t false_alarms = 0;  ///< cells judged slower or faster, though nothing differs
-  std::size_t relabellings = 0;
-  std::size_t relabelled_alarms = 0;    ///< cells judged so over all relabellings
-  double smallest_slowdown_median = 0;  ///< smallest slowdown that would be found in 99 of 100
-  double smallest_slowdown_worst = 0;   ///< relabellings: median over cells, and the worst cell
-
-  /// Returns false alarms a cell and comparison, from the relabellings.
-  double false_alarm_rate() const;
-};
-
-/// Judges the pairs of a comparison of a program with itself. In such a comparison every pair may
-/// have its two sides exchanged; each relabelling exchanges the sides of every round (the i-th pair
-/// of all cells) by a fair coin, keeping what the cells of a round have in common, and judges
-/// again.
-/// @param log_ratios  as judge_times. @param seed  of the coins: equal seeds give equal results.
-Calibration calibrate(const std::vector<std::vector<double>>& log_ratios, const TimeRule& rule,
-                      std::size_t relabellings = 1000, std::uint64_t seed = 1);
 
 }  // namespace ar3d

@@ -19,6 +19,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/measure/processes.h"
 
@@ -136,12 +137,25 @@ bool build_program(const std::string& checkout, const std::string& commit, const
 
 }  // namespace
 
-std::string find_checkout() {
-  const std::vector<std::string> root = ask_git({"rev-parse", "--show-toplevel"});
-  if (root.empty() || !fs::exists(fs::path(root.front()) / "apps" / "study.cpp")) {
-    throw InputError("the working directory is in no git checkout of ar3d");
+std::string last_line(const fs::path& log) {
+  std::ifstream file(log);
+  std::string last;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty()) last = line;
   }
-  return root.front();
+  return last;
+}
+
+std::string checkout_here() {
+  const std::vector<std::string> root = ask_git({"rev-parse", "--show-toplevel"});
+  const bool is_ours = !root.empty() && fs::exists(fs::path(root.front()) / "apps" / "study.cpp");
+  return is_ours ? root.front() : std::string();
+}
+
+std::string find_checkout() {
+  std::string checkout = checkout_here();
+  if (checkout.empty()) throw InputError("the working directory is in no git checkout of ar3d");
+  return checkout;
 }
 
 std::optional<std::string> build_reference(const std::string& checkout, const std::string& ref,
@@ -160,6 +174,27 @@ std::optional<std::string> build_reference(const std::string& checkout, const st
       [&](const std::vector<std::string>& words) { return run_step(words, ref, log, progress); });
   fs::remove(log);
   return is_built ? std::optional(program.string()) : std::nullopt;
+}
+
+std::optional<std::string> build_own(const std::string& ref, const std::string& command,
+                                     const std::string& folder) {
+  const std::vector<std::string> root = ask_git({"rev-parse", "--show-toplevel", "--show-prefix"});
+  if (root.empty()) throw InputError("the working directory is in no git repository");
+  const std::string commit = commit_of(root.front(), ref), log = folder + ".log";
+  const std::string inside = root.size() > 1 ? (fs::path(folder) / root[1]).string() : folder;
+  const std::vector<std::vector<std::string>> steps = {
+      {"git", "clone", "-q", "--shared", "--no-checkout", root.front(), folder},
+      {"git", "-C", folder, "checkout", "-q", "--detach", commit},
+      {"env", "-C", inside, "sh", "-c", command}};
+  for (const std::vector<std::string>& words : steps) {
+    const int code = run_child(words, {.output = log, .ends_when_interrupted = true});
+    if (is_interrupted()) return {};
+    if (code == 0) continue;
+    throw InputError(fmt::format("cannot build {}: `{}` ended with code {}: {}", ref,
+                                 words[0] == "env" ? command : words[0], code,
+                                 printable(last_line(log))));
+  }
+  return inside;
 }
 
 }  // namespace ar3d

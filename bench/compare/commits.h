@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -12,9 +13,23 @@ namespace ar3d {
 /// @return -1 if git in the working directory does not know the commit.
 std::int64_t commits_up_to(const std::string& commit);
 
-/// Returns the folder of the git checkout of ar3d that holds the working directory.
-/// @throws InputError if there is none.
+/// Returns the last line of a log that is not empty.
+std::string last_line(const std::filesystem::path& log);
+
+/// Returns the folder of the git checkout of ar3d that holds the working directory; empty: none.
+std::string checkout_here();
+/// Returns the same. @throws InputError if there is none.
 std::string find_checkout();
+
+/// Puts another commit of the repository that holds the working directory into a folder, as a clone
+/// of its own, and builds it there.
+/// @param ref  as build_reference. @param command  for `sh -c`, run in the folder of the clone that
+/// is like the working directory.
+/// @return that folder; nothing if it was interrupted.
+/// @throws InputError naming the ref if there is no such commit; with the last line that was printed
+/// if it does not build.
+std::optional<std::string> build_own(const std::string& ref, const std::string& command,
+                                     const std::string& folder);
 
 /// Returns the program of another commit, Release, as CHECKOUT/build/compare/COMMIT/ar3d. What is
 /// there is taken as it is; else it is built in a git worktree beside it, which is removed

@@ -9,6 +9,7 @@
 
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/say.h"
+#include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/measure/processes.h"
@@ -20,15 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr int kInterruptedCode = 130;
 constexpr std::int64_t kTimedRepetitions = 5;  // of one run at most; the smallest time counts
-
-std::string last_line(const fs::path& path) {
-  std::ifstream file(path);
-  std::string last;
-  for (std::string line; std::getline(file, line);) {
-    if (!line.empty()) last = line;
-  }
-  return last;
-}
 
 constexpr const char* kBase = "base";
 constexpr const char* kNew = "next";  // as long as "base"

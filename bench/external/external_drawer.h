@@ -110,6 +110,9 @@ class ExternalDrawer {
   static Drawing draw(const ExternalAlgorithm& algorithm, const Graph& graph,
                       const Settings& options);
 
+  /// Ends its processes: the next drawing of each program is made by a new one.
+  void restart() { processes_.clear(); }
+
  private:
   std::map<std::string, std::unique_ptr<ExternalProcess>> processes_;  // by command
   std::optional<Times> times_;

@@ -1,6 +1,7 @@
 // Counts instructions of drawings by callgrind, which gives the same number on every run. The
 // program starts itself under valgrind with a list of drawings; before each one the heap is put
-// into the same state.
+// into the same state. A program of the study runs under valgrind itself, which is asked after each
+// answer to write down what it has counted.
 #include "ar3d/bench/replay/count_instructions.h"
 
 #include <malloc.h>
@@ -14,6 +15,8 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/row_maker.h"
@@ -134,12 +137,13 @@ void write_orders(const std::vector<const RunRecord*>& rows, const StudyOrigin& 
   if (!orders) throw InputError(fmt::format("cannot write {}", path));
 }
 
-// Whether the drawing is there, and not of a program of the study's own.
-bool can_be_counted(const RunRecord& row, const StudyOrigin& origin) {
-  const auto is_named = [&](const auto& program) { return program->row.name == row.algorithm; };
-  if (!is_drawn(row)) return false;
-  if (!origin.study) return true;
-  return std::ranges::none_of(origin.study->spec.programs, is_named);
+// The program of the study that made a row; null: the catalogue has the algorithm.
+const ExternalAlgorithm* program_of(const RunRecord& row, const StudyOrigin& origin) {
+  if (!origin.study) return nullptr;
+  for (const auto& program : origin.study->spec.programs) {
+    if (program->row.name == row.algorithm) return program.get();
+  }
+  return nullptr;
 }
 
 RunRecord order_of(const std::string& line) {
@@ -159,7 +163,6 @@ RunRecord order_of(const std::string& line) {
 // have it generated once. Empty if it was interrupted.
 std::vector<DrawingCounts> count_drawings(const std::vector<const RunRecord*>& rows,
                                           const StudyOrigin& origin) {
-  if (const std::string problem = counting_problem(); !problem.empty()) throw InputError(problem);
   const std::string folder = new_temporary_folder("ar3d-callgrind");
   BOOST_SCOPE_EXIT_ALL(&) { remove_folder(folder); };
   const std::string orders = folder + "/orders", output = folder + "/counts";
@@ -174,6 +177,64 @@ std::vector<DrawingCounts> count_drawings(const std::vector<const RunRecord*>& r
   if (exit_code == 0 && counts.size() == rows.size()) return counts;
   throw InputError(fmt::format("callgrind ended with code {} behind {} of {} drawings", exit_code,
                                counts.size(), rows.size()));
+}
+
+constexpr std::size_t kCountedAnswers = 3;   // to each graph, the smallest of which counts
+constexpr double kMostApart = 0.005;         // of a program that always does the same
+constexpr double kSlowedBy = 100;            // valgrind, at most
+constexpr std::size_t kMostBytes = 1 << 30;  // of an answer
+
+// Drawings of rows of one program with its options, made by one process; a first answer to each
+// graph is not counted. Empty if it was interrupted.
+// @throws InputError if the program fails or does not always do the same.
+std::vector<DrawingCounts> count_answers(const ExternalAlgorithm& program,
+                                         const std::vector<const RunRecord*>& rows,
+                                         const StudyOrigin& origin) {
+  if (program.one_graph_per_process) throw InputError("each of its processes draws one graph");
+  const std::string folder = new_temporary_folder("ar3d-callgrind");
+  BOOST_SCOPE_EXIT_ALL(&) { remove_folder(folder); };
+  fs::create_directory(folder + "/counts");
+  std::vector<std::string> words = {"env",
+                                    "PYTHONHASHSEED=0",  // which is another one in every run
+                                    "valgrind",
+                                    "--tool=callgrind",
+                                    "--trace-children=yes",  // as env becomes another program
+                                    "--combine-dumps=yes",
+                                    "--callgrind-out-file=" + folder + "/counts/%p",
+                                    "--vgdb-prefix=" + folder + "/vgdb",
+                                    "--quiet"};
+  std::ranges::copy(command_with(program, parse_settings(rows.front()->options)),
+                    std::back_inserter(words));
+  ExternalProcess process(words);
+  for (const RunRecord* row : rows) {
+    const std::string request = request_of(program, graph_of(plan_of_row(*row, origin)));
+    for (std::size_t i = 0; i <= kCountedAnswers; ++i) {
+      process.ask(request, kSlowedBy * program.limit_s(row->n), kMostBytes);
+      const int code =
+          run_child({"vgdb", "--vgdb-prefix=" + folder + "/vgdb", "dump"},
+                    {.output = "/dev/null", .ends_when_interrupted = true, .limit_s = 60});
+      if (is_interrupted()) return {};
+      if (code != 0) throw InputError(fmt::format("vgdb ended with code {}", code));
+    }
+  }
+  const std::vector<fs::path> files(fs::directory_iterator(folder + "/counts"), {});
+  if (files.size() != 1) throw InputError("it starts other programs");
+  const std::vector<DrawingCounts> parts = parts_of(files.front());
+  std::vector<DrawingCounts> counts;
+  for (auto part = parts.begin(); parts.end() - part > std::ptrdiff_t{kCountedAnswers};) {
+    std::array<std::int64_t, kCountedAnswers> answers;
+    for (std::int64_t& answer : answers) answer = (++part)->instructions;
+    ++part;
+    std::ranges::sort(answers);
+    const auto least = static_cast<double>(answers[0]);
+    if (static_cast<double>(answers[1]) > (1 + kMostApart) * least) {
+      throw InputError(
+          fmt::format("its instructions for one graph differ: {} and {}", answers[0], answers[1]));
+    }
+    counts.push_back({answers[0], -1});
+  }
+  if (counts.size() >= rows.size()) return counts;
+  throw InputError(fmt::format("callgrind counted {} of {} drawings", counts.size(), rows.size()));
 }
 
 }  // namespace
@@ -219,22 +280,36 @@ std::size_t fill_counts(Results& results, std::int64_t max_n) {
     return {run.graph_hash, run.algorithm, run.options};
   };
   std::map<Key, DrawingCounts> counts;
-  std::vector<const RunRecord*> rows;
+  // By program and options; null: all of the catalogue.
+  std::map<std::pair<const ExternalAlgorithm*, std::string>, std::vector<const RunRecord*>> groups;
   for (const RunRecord& run : results.runs) {
-    if (run.n > max_n || !can_be_counted(run, origin)) continue;
-    if (counts.try_emplace(key_of(run)).second) rows.push_back(&run);
+    if (run.n > max_n || !is_drawn(run) || !counts.try_emplace(key_of(run)).second) continue;
+    const ExternalAlgorithm* program = program_of(run, origin);
+    groups[{program, program == nullptr ? "" : run.options}].push_back(&run);
   }
-  if (rows.empty()) return 0;
-  const std::vector<DrawingCounts> counted = count_drawings(rows, origin);
-  if (counted.empty()) return 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) counts[key_of(*rows[i])] = counted[i];
+  if (groups.empty()) return 0;
+  if (const std::string problem = counting_problem(); !problem.empty()) throw InputError(problem);
+  std::size_t drawings = 0;
+  for (const auto& [group, rows] : groups) {
+    const ExternalAlgorithm* program = group.first;
+    try {
+      const std::vector<DrawingCounts> counted =
+          program == nullptr ? count_drawings(rows, origin) : count_answers(*program, rows, origin);
+      if (counted.empty()) return 0;
+      for (std::size_t i = 0; i < rows.size(); ++i) counts[key_of(*rows[i])] = counted[i];
+      drawings += rows.size();
+    } catch (const std::exception& error) {
+      if (program == nullptr) throw;
+      say(stderr, "ar3d: {} is not counted: {}\n", program->row.name, printable(error.what()));
+    }
+  }
   for (RunRecord& run : results.runs) {
     const auto at = counts.find(key_of(run));
-    if (at == counts.end()) continue;
+    if (at == counts.end() || at->second.instructions < 0) continue;
     run.counted_instructions = at->second.instructions;
     run.estimated_cycles = at->second.estimated_cycles;
   }
-  return rows.size();
+  return drawings;
 }
 
 }  // namespace ar3d

@@ -12,10 +12,12 @@ namespace ar3d {
 /// if it can.
 std::string counting_problem();
 
-/// Fills counted_instructions and estimated_cycles in all rows of every drawing of the catalogue's
-/// algorithms with at most max_n vertices, by callgrind (valgrind) in one process of this program.
-/// The same build gives the same numbers on every run. Cost: about 50 times the time of generating
-/// and drawing, and two seconds.
+/// Fills counted_instructions and estimated_cycles in all rows of every drawing with at most max_n
+/// vertices, by callgrind (valgrind) in one process of this program. The same build gives the same
+/// numbers on every run. A program of the study runs under callgrind itself and gets no estimated
+/// cycles; one that fails there, or counts another number for the same graph, is named on standard
+/// error and not counted. Cost: about 50 times the time of generating and drawing, and two seconds;
+/// a second for each graph of a program.
 /// @return how many drawings; 0 also if it was interrupted.
 /// @throws InputError as plan_of_row; naming the row that callgrind did not come to the end of; as
 /// counting_problem().

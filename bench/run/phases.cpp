@@ -1,9 +1,11 @@
 // The two orders in which rows are made. The metrics phase finishes one instance after the other;
-// the timing phase goes round over all drawings, so that a disturbance meets all of them alike.
+// the timing phase goes round over all drawings, so that a disturbance meets all of them alike. The
+// settings of a graph take turns there, in an order that changes from round to round.
 #include <deque>
 #include <set>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/run/execute.h"
 
@@ -111,7 +113,10 @@ class TimingSource final : public RowSource {
       return RowJob{drawing.place,
                     drawing.instance,
                     run,
-                    {!drawing.certified, rules_.warm_up, rules_.write},
+                    {.certify = !drawing.certified,
+                     .warm_ups = rules_.warm_up,
+                     .write = rules_.write,
+                     .restart = rules_.restart},
                     place};
     }
     return std::nullopt;
@@ -150,10 +155,15 @@ class TimingSource final : public RowSource {
                       : has_more          ? "enough for the precision"
                                           : "as many as the study makes";
     const double all_s = time_.wall_s() * rules_.concurrency;
-    return {{kTimingRounds, fmt::format("{} rounds, {}: {} of {} drawings are stable", rounds, why,
-                                        stable, drawings_.size())},
-            {kTimingYardsticks, fmt::format("{:.3g} s, {:.1f} % of the time", yardsticks_s_,
-                                            100 * yardsticks_s_ / all_s)}};
+    std::vector<EnvironmentEntry> entries = {
+        {kTimingRounds, fmt::format("{} rounds, {}: {} of {} drawings are stable", rounds, why,
+                                    stable, drawings_.size())},
+        {kTimingYardsticks, fmt::format("{:.3g} s, {:.1f} % of the time", yardsticks_s_,
+                                        100 * yardsticks_s_ / all_s)}};
+    if (rules_.concurrency == 1) {
+      entries.push_back({kTimingOrder, "settings of a graph in turns, in random order"});
+    }
+    return entries;
   }
 
  private:
@@ -188,11 +198,23 @@ class TimingSource final : public RowSource {
       stable += drawing.has_optional() && drawing.is_stable();
     }
     const bool is_enough = static_cast<double>(stable) >= kEnough * static_cast<double>(optional);
+    std::vector<std::size_t> round;
     for (std::size_t i = 0; i < drawings_.size(); ++i) {
       const bool has_more = !drawings_[i].left.empty();
-      if (has_more && !(is_enough && drawings_[i].has_optional())) round_.push_back(i);
+      if (has_more && !(is_enough && drawings_[i].has_optional())) round.push_back(i);
     }
+    shuffle_settings(round);
+    round_.assign(round.begin(), round.end());
     return !round_.empty();
+  }
+
+  // Drawings of one graph stand together.
+  void shuffle_settings(std::vector<std::size_t>& round) {
+    for (auto begin = round.begin(), end = begin; begin != round.end(); begin = end) {
+      const std::size_t place = drawings_[*begin].place;
+      end = std::find_if(begin, round.end(), [&](auto i) { return drawings_[i].place != place; });
+      order_.shuffle(std::span(begin, end));
+    }
   }
 
   // Every row that the study needs of a drawing that failed is a row that says so.
@@ -211,6 +233,7 @@ class TimingSource final : public RowSource {
   std::mutex mutex_;
   std::vector<TimedDrawing> drawings_;
   std::deque<std::size_t> round_;  // places in drawings_ of those that wait for their turn
+  RandomStream order_{1};
 };
 
 }  // namespace

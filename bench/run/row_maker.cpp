@@ -185,6 +185,7 @@ RunRecord RowMaker::make_row(const PlannedRun& planned, const RowRequest& reques
 
 Drawing RowMaker::draw_timed(const PlannedRun& planned, const RowRequest& request, RunRecord& run) {
   const AlgorithmChoice& choice = planned.choice;
+  if (request.restart && std::exchange(round_, run.repetition) != run.repetition) drawer_.restart();
   for (std::uint32_t i = 0; i < request.warm_ups; ++i) {
     draw(*choice.algorithm, *graph_, choice.options);
   }

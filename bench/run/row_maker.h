@@ -26,6 +26,7 @@ struct RowRequest {
   bool certify = true;         ///< else the row only has the drawing's hash and no verdict
   std::uint32_t warm_ups = 0;  ///< drawings before the timed one
   bool write = false;          ///< time the formatting as JSON lines
+  bool restart = false;        ///< with other programs' processes than those of other repetitions
   bool bisect = true;          ///< seek the bisection of a first instance, for volume_at_least
 };
 
@@ -55,6 +56,7 @@ class RowMaker {
   std::optional<Graph> graph_;
   std::optional<GraphNeeds> needs_;  // once a row asks
   ExternalDrawer drawer_;
+  std::int64_t round_ = 0;  // whose processes it holds
 
   Drawing draw_timed(const PlannedRun& planned, const RowRequest& request, RunRecord& run);
   void draw_and_certify(const PlannedRun& planned, const RowRequest& request, RunRecord& run);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
@@ -48,25 +47,6 @@ void make_paths_absolute(toml::node& graphs, const std::string& folder) {
   }
 }
 
-/// Calls use(table) for every sweep of a specification.
-template <class Use>
-void for_each_sweep(toml::table& study, const Use& use) {
-  toml::node* const sweeps = study.get("sweep");
-  if (sweeps == nullptr) return;
-  if (toml::table* const sweep = sweeps->as_table()) use(*sweep);
-  if (toml::array* const list = sweeps->as_array()) {
-    for (toml::node& entry : *list) {
-      if (toml::table* const sweep = entry.as_table()) use(*sweep);
-    }
-  }
-}
-
-std::string text_of(const toml::table& study) {
-  std::ostringstream text;
-  text << study << '\n';
-  return text.str();
-}
-
 }  // namespace
 
 std::string movable_text(const Study& whole) {
@@ -75,19 +55,19 @@ std::string movable_text(const Study& whole) {
                                       [](const Sweep& sweep) { return !sweep.graphs.empty(); });
   if (!has_graphs) return spec.text;
   toml::table study = parse_toml(spec.text, spec.name);
-  for_each_sweep(study, [&](toml::table& sweep) {
+  for_each_table(study, "sweep", [&](toml::table& sweep) {
     if (toml::node* const graphs = sweep.get("graphs"))
       make_paths_absolute(*graphs, whole.files.folder);
   });
-  return text_of(study);
+  return toml_text_of(study);
 }
 
 Study with_timed_rounds(const Study& whole, std::uint64_t rounds) {
   toml::table study = parse_toml(whole.spec.text, whole.spec.name);
-  for_each_sweep(study, [&](toml::table& sweep) {
+  for_each_table(study, "sweep", [&](toml::table& sweep) {
     sweep.insert_or_assign("timed_repetitions", static_cast<std::int64_t>(rounds));
   });
-  return {parse_study(text_of(study), whole.spec.name + " with --timed"), whole.files};
+  return {parse_study(toml_text_of(study), whole.spec.name + " with --timed"), whole.files};
 }
 
 std::string text_of_a_turn(const Study& whole, std::int64_t most_timed) {
@@ -97,12 +77,12 @@ std::string text_of_a_turn(const Study& whole, std::int64_t most_timed) {
   if (!spec.count && !has_long) return movable_text(whole);
   toml::table study = parse_toml(movable_text(whole), spec.name);
   study.erase("count");
-  for_each_sweep(study, [&](toml::table& sweep) {
+  for_each_table(study, "sweep", [&](toml::table& sweep) {
     if (!sweep.contains("timed_repetitions")) return;
     const std::int64_t asked = sweep["timed_repetitions"].value_or(most_timed);
     sweep.insert_or_assign("timed_repetitions", std::min(asked, most_timed));
   });
-  return text_of(study);
+  return toml_text_of(study);
 }
 
 }  // namespace ar3d

@@ -68,7 +68,8 @@ TimingRules read_timing_rules(const toml::node& node) {
   read_toml_table(node, "timing",
                   {{"warm_up", into(rules.warm_up, 0, 1000)},
                    {"concurrency", into(rules.concurrency, 1, kMaxThreads)},
-                   {"write", into(rules.write)}});
+                   {"write", into(rules.write)},
+                   {"restart", into(rules.restart)}});
   return rules;
 }
 

@@ -42,6 +42,7 @@ struct TimingRules {
   std::uint32_t warm_up = 1;      ///< drawings before each timed one, thrown away
   std::uint32_t concurrency = 1;  ///< timed drawings at the same time, each on a core of its own
   bool write = false;             ///< time the formatting as JSON lines too
+  bool restart = false;           ///< programs of the study are started anew in each round
 };
 
 /// Describes a limit that grows with the graph.

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
@@ -84,6 +85,24 @@ void read_toml_table(const toml::node& node, const std::string& what,
 
 bool has_toml_key(const toml::node& node, const std::string& key) {
   return node.is_table() && node.as_table()->contains(key);
+}
+
+void for_each_table(toml::table& study, const std::string& key,
+                    const std::function<void(toml::table&)>& use) {
+  toml::node* const node = study.get(key);
+  if (node == nullptr) return;
+  if (toml::table* const table = node->as_table()) use(*table);
+  if (toml::array* const list = node->as_array()) {
+    for (toml::node& entry : *list) {
+      if (toml::table* const table = entry.as_table()) use(*table);
+    }
+  }
+}
+
+std::string toml_text_of(const toml::node& study) {
+  std::ostringstream text;
+  study.visit([&](const auto& node) { text << node; });
+  return text.str() + "\n";
 }
 
 std::vector<const toml::node*> one_or_many(const toml::node& node) {

@@ -48,6 +48,12 @@ void read_toml_table(const toml::node& node, const std::string& what,
 /// Returns true if the node is a table with that key.
 bool has_toml_key(const toml::node& node, const std::string& key);
 
+/// Calls use(table) for every table of a key: one table, or those of an array.
+void for_each_table(toml::table& study, const std::string& key,
+                    const std::function<void(toml::table&)>& use);
+/// Returns a specification as text.
+std::string toml_text_of(const toml::node& study);
+
 /// Returns the nodes of an array, or the node itself if it is none.
 std::vector<const toml::node*> one_or_many(const toml::node& node);
 /// Returns the same. @throws InputError if there are none.

@@ -2,7 +2,13 @@
 #include "ar3d/store/columns/curves.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 
 namespace ar3d {
@@ -10,6 +16,15 @@ namespace {
 
 std::string with_brackets(const std::string& name, const std::string& details) {
   return details.empty() ? name : name + " (" + details + ")";
+}
+
+std::vector<std::string> words_of(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == '(' || c == ')' || c == ';' || c == ','; }, ' ');
+  std::istringstream in(text);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
 }
 
 }  // namespace
@@ -47,6 +62,23 @@ std::string cell_label(const CurveKey& key, std::int64_t n) {
     label += n >= 0 ? fmt::format(" n={}", n) : std::string(" all n");
   }
   return one_line(label);
+}
+
+CurveKey find_setting(std::span<const CurveKey> settings, const std::string& text) {
+  const std::vector<std::string> asked = words_of(text);
+  std::vector<CurveKey> meant;
+  std::vector<std::string> labels;
+  for (const CurveKey& key : settings) {
+    labels.push_back(algorithm_label(key));
+    const std::vector<std::string> words = words_of(labels.back());
+    const bool has_all = std::ranges::all_of(
+        asked, [&](const std::string& word) { return std::ranges::count(words, word) > 0; });
+    if (!asked.empty() && asked.front() == key.algorithm && has_all) meant.push_back(key);
+  }
+  if (meant.size() == 1) return meant.front();
+  throw InputError(fmt::format("'{}' is {} of the settings {}", printable(text),
+                               meant.empty() ? "none" : "more than one",
+                               printable(fmt::format("{}", fmt::join(labels, ", ")))));
 }
 
 }  // namespace ar3d

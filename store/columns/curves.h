@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "ar3d/store/columns/run_record.h"
@@ -35,5 +36,18 @@ std::string graph_label(const RunRecord& run);
 /// Returns "diamond (effort=1) on cubic (k=2) n=300", on one line: what a cell is called, and how
 /// it is chosen on a command line. @param n  -1: all sizes.
 std::string cell_label(const CurveKey& key, std::int64_t n);
+
+/// Describes two settings that are compared, keys without family, and what both are called then.
+struct SettingPair {
+  std::string name;
+  CurveKey base;
+  CurveKey now;
+  bool operator==(const SettingPair&) const = default;
+};
+
+/// Returns the one setting that a text means: "grid", "diamond (effort=1)", "diamond effort=1"; of
+/// options as many as tell it from the others.
+/// @throws InputError naming all settings if it means none or several.
+CurveKey find_setting(std::span<const CurveKey> settings, const std::string& text);
 
 }  // namespace ar3d

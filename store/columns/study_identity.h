@@ -16,9 +16,10 @@ struct EnvironmentEntry {
   std::int64_t session = 0;  ///< a session is one process that made rows of the study
 };
 
-/// Names entries in words: why there were no more rounds of the timing phase, and the yardsticks'
-/// share.
+/// Names entries in words: why there were no more rounds of the timing phase, in which order it drew
+/// (there where the settings of each graph took turns), and the yardsticks' share.
 inline constexpr const char* kTimingRounds = "timing_rounds";
+inline constexpr const char* kTimingOrder = "timing_order";
 inline constexpr const char* kTimingYardsticks = "timing_yardsticks";
 
 /// Holds which part of a study's instances a process makes: shard `index` of `count`, from 1.

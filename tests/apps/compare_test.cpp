@@ -137,7 +137,7 @@ TEST(CompareProgram, BadInputIsOneClearLine) {
            {base + " " + pipe, "pipe is not an HDF5 file"},
            {base, "compare takes two results files"},
            {"--base no-such-ref-anywhere", "no commit 'no-such-ref-anywhere'"},
-           {"--base HEAD " + base, "take no results files"}}) {
+           {"--base HEAD " + base, "--base takes no results files"}}) {
     expect_one_line(run("cd " AR3D_SOURCE_DIR " && {} compare " + arguments), message);
   }
 }
@@ -181,6 +181,7 @@ TEST(CompareProgram, ACommitIsBuiltOnceAndItsWorktreeGoes) {
   EXPECT_THAT(first.err, HasSubstr("building HEAD"));
   EXPECT_THAT(first.err, HasSubstr("round 1 of 1"));
   EXPECT_EQ(second.exit_code, 6) << second.out << second.err;
+  EXPECT_THAT(second.out, HasSubstr("1 rounds of times; 11 are needed"));
   EXPECT_THAT(second.err, Not(HasSubstr("building")));
   expect_no_worktree(checkout);
 }
@@ -195,7 +196,9 @@ TEST(CompareProgram, GraphsAreFoundBesideTheSpecification) {
       "graphs = { file = 'nets/a.s6', name = 'a.s6', shuffle = 1 }\nalgorithms = 'diamond'\n");
   const std::string checkout = pretended_checkout(scratch, "true");
   const Outcome outcome =
-      expect_exit(6, run("cd " + checkout + " && {} compare --calibrate --rounds 1 --study " +
+      expect_exit(6, run("cd " + checkout +
+                         " && AR3D_PROGRAM=$(realpath {}) {} compare --base HEAD --rounds 1 "
+                         "--study " +
                          spec));  // one round decides nothing
   EXPECT_THAT(outcome.out, HasSubstr("on a.s6"));
 }
@@ -217,8 +220,10 @@ TEST(CompareProgram, AnInterruptSaysSoAndLeavesNothingBehind) {
     expect_no_worktree(checkout);
   }
   expect_error(run("cd " + checkout +
-                   " && timeout --preserve-status -s INT 3 {} compare --calibrate "
-                   "--rounds 1000 --study " +
+                   " && git commit -q --allow-empty -m quick && mkdir -p build/compare/$(git "
+                   "rev-parse HEAD) && cp $(realpath {}) build/compare/$(git rev-parse HEAD)/ar3d "
+                   "&& timeout --preserve-status -s INT 3 {} compare --base HEAD --rounds 1000 "
+                   "--study " +
                    spec),
                "ar3d: interrupted in round", 130);
   expect_no_worktree(checkout);
@@ -246,20 +251,6 @@ TEST(CompareProgram, ATurnIsShortAndUncounted) {
   EXPECT_EQ(turn.sweeps[1].timed.most, 3u);
   EXPECT_EQ(turn.sweeps[2].timed.most, 0u);
   EXPECT_EQ(turn_of("study = 't'\n" + sweep).text, "study = 't'\n" + sweep);
-}
-
-TEST(CompareProgram, BuildsTakeTurnsAndTheMachineIsCalibrated) {
-  const ScratchDirectory scratch;
-  const std::string spec = scratch.write("tiny.toml", kStudy);
-  const std::string verdict = scratch.path("verdict.json");
-  const Outcome outcome =
-      expect_exit(6, run("cd " AR3D_SOURCE_DIR " && {} compare --calibrate --rounds 2 --study " +
-                         spec + " --json " + verdict));
-  EXPECT_THAT(outcome.err, HasSubstr("round 2 of 2"));
-  EXPECT_THAT(outcome.out, HasSubstr("the program against itself"));
-  const auto json = nlohmann::json::parse(read_file(verdict));
-  EXPECT_EQ(json.at("calibration").at("pairs"), 2);
-  EXPECT_EQ(json.at("cells")[0].at("time").at("pairs"), 2);
 }
 
 }  // namespace

@@ -60,5 +60,17 @@ TEST(SlowBuilds, AmongFilesNothingElseIsNamedAndCountsFindThem) {
   }
 }
 
+/// The bench of turns in a short form: the same is never told apart, half more time and a bend are.
+TEST(SlowBuilds, VersionsInTurnsAreToldApart) {
+  const Outcome rates = expect_exit(
+      0, run("/usr/bin/python3 " AR3D_SOURCE_DIR
+             "/bench/compare/turn_rates $(realpath {}) --same 3 --slowed 2 --pairs --what "
+             "'the same' 'slower by 50 %' 'one bend more'"));
+  fmt::print("{}", rates.out);
+  for (const char* kind : {"commands", "settings", "commits"}) {
+    EXPECT_THAT(rates.out, HasSubstr(fmt::format("| {} | the same | 3 | ", kind)));
+  }
+}
+
 }  // namespace
 }  // namespace ar3d::testing

@@ -64,11 +64,12 @@ TEST(TimingPhase, GoesRoundAllDrawingsPinnedAndAlone) {
     for (const double yardstick_s : run.yardsticks_s) EXPECT_GT(yardstick_s, 0);
   }
   EXPECT_THAT(repetitions, ElementsAre(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2));
-  ASSERT_EQ(made.notes.size(), 2u);
+  ASSERT_EQ(made.notes.size(), 3u);
   EXPECT_EQ(made.notes[0].name, kTimingRounds);
   EXPECT_THAT(made.notes[0].value, StartsWith("3 rounds, as many as the study makes: "));
   EXPECT_EQ(made.notes[1].name, kTimingYardsticks);
   EXPECT_GT(std::stod(made.notes[1].value), 0);
+  EXPECT_EQ(made.notes[2].name, kTimingOrder);
 }
 
 TEST(TimingPhase, RowsHaveKeysOfTheirOwnAndReplaySpecIsKept) {

@@ -25,7 +25,7 @@ ELSEWHERE = {
 }
 # Lines that are not run, and why.
 NOT_RUN = {
-    "ar3d compare --base HEAD~1 --calibrate": "builds another commit, which takes minutes: tests/apps/compare_test.cpp",
+    "ar3d compare --base HEAD~1": "builds another commit, which takes minutes: tests/apps/compare_test.cpp",
     "git bisect ": "builds other commits, which takes minutes: tests/apps/bisect_test.cpp",
     "cmake --preset fuzz && cmake --build build/fuzz --target fuzz_sparse6": "needs clang and minutes",
     "mkdir -p /tmp/corpus && build/fuzz/tests/fuzz/fuzz_sparse6": "as the line before",
@@ -38,12 +38,14 @@ NOT_RUN = {
 # Exit codes other than 0, and lines as they run on the small files that are made here.
 EXIT = {"ar3d hunt --algorithm grid -n 60 --seeded-fault wrong-bend": 4, "ar3d study run bad.toml": 4, "ar3d study run late.toml": 5,
         "ar3d check late.h5": 5, "ar3d compare --drawings-only helix.h5": 3, "ar3d compare one.h5 two.h5": 6, "ar3d compare one.h5 bound.h5": 7,
-        "ar3d draw twice.edges": 2}
+        "ar3d compare --turns 'grid": 3, "ar3d compare --turns one.toml": 3, "ar3d compare ar3d-two-turns.h5": 3,
+        "sh gate.sh judge ||": 0, "sh gate.sh judge": 3, "ar3d draw twice.edges": 2}
 IN_PLACE_OF = {
     "study run quick": "study run quick.toml", " ROW": " 0", "study run peers": "study run peers.toml",
     "study run precision": "study run precision.toml", "study run figures.toml": "study run --force-timing figures.toml",
     "study run regression": "study run smoke.toml", "study run short.toml": "study run --force-timing short.toml",
     "compare one.h5 two.h5": "compare --time-always one.h5 two.h5",
+    "compare --turns 'python3": "compare --drawings-only --turns 'python3", "compare --turns HEAD .": "compare --drawings-only --turns HEAD .",
     "build/release/bench/kernels/ar3d_limits --benchmark_out": "ar3d_limits --benchmark_filter='^draw/(search|grid)/.*n:1000/' --benchmark_out",
     "'^draw/(search|grid)/'": "'^draw/(search|grid)/.*n:1000/'", "'/n:10000000/'": "'^machine/.*mib:1/'",
     "'^(draw/grid|search)/'": "'^(draw/grid|search)/cycle/1000/'", "build/release/bench/kernels/": "",

@@ -1,0 +1,231 @@
+// Two versions of something become settings of one study, whose timing phase draws them in turns.
+// The study is made as the text of a specification, so that its results say what was run.
+#include "ar3d/bench/compare/turns.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <sstream>
+
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
+#include "ar3d/bench/spec/toml_table.h"
+
+namespace ar3d {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 2> kSuffixes = {".A", ".B"};
+
+/// Those of one sweep that are compared, each once.
+std::vector<CurveKey> settings_of(const Sweep& sweep, const std::optional<CurveKey>& only) {
+  std::vector<CurveKey> settings;
+  for (const AlgorithmChoice& choice : sweep.algorithms) {
+    const CurveKey key = {choice.algorithm->name, settings_text(choice.options), {}, {}};
+    if (only.value_or(key) == key && std::ranges::count(settings, key) == 0) {
+      settings.push_back(key);
+    }
+  }
+  return settings;
+}
+
+template <class T>
+void add_once(std::vector<T>& list, const T& value) {
+  if (std::ranges::count(list, value) == 0) list.push_back(value);
+}
+
+/// Throws unless the two differ in names, programs and the algorithms of sweeps only.
+void require_alike(toml::table base, toml::table now) {
+  std::set<std::string> keys;
+  for (toml::table* const side : {&base, &now}) {
+    for (const char* key : {"study", "algorithm"}) side->erase(key);
+    for_each_table(*side, "sweep", [](toml::table& sweep) { sweep.erase("algorithms"); });
+    for (const auto& [key, value] : *side) keys.insert(std::string(key.str()));
+  }
+  for (const std::string& key : keys) {
+    const auto text = [&](const toml::table& side) {
+      return side.contains(key) ? toml_text_of(*side.get(key)) : std::string();
+    };
+    if (text(base) == text(now)) continue;
+    throw InputError(fmt::format("the two specifications differ in '{}'", printable(key)));
+  }
+}
+
+/// Makes the study of both sides, sweep by sweep.
+class BothSides {
+ public:
+  BothSides(const TurnsSide& base, const TurnsSide& now) : sides_{&base, &now} {}
+
+  TurnsStudy study(std::size_t rounds, std::size_t otherwise) {
+    std::array<toml::table, 2> texts;
+    toml::array programs, sweeps;
+    for (const std::size_t side : {0U, 1U}) {
+      const Study& study = sides_[side]->study;
+      texts[side] = parse_toml(movable_text(study), study.spec.name);
+      for (const char* key : {"count", "keep_drawings", "description"}) texts[side].erase(key);
+      for_each_table(texts[side], "algorithm", [&](toml::table& program) {
+        const std::string name = program["name"].value_or(std::string());
+        program.insert_or_assign("name", name + kSuffixes[side]);
+        programs.push_back(program);
+      });
+    }
+    require_alike(texts[0], texts[1]);
+    toml::table& text = texts[0];
+    for_each_table(text, "sweep", [&, number = std::size_t{0}](toml::table& sweep) mutable {
+      const toml::array algorithms = algorithms_of(number++);
+      if (algorithms.empty()) return;
+      sweep.insert_or_assign("algorithms", algorithms);
+      for (const char* key : {"strong", "weak", "strong_ranks", "weak_ranks"}) sweep.erase(key);
+      if (rounds > 0 || !sweep.contains("timed_repetitions")) {
+        const std::size_t timed = rounds > 0 ? rounds : otherwise;
+        sweep.insert_or_assign("timed_repetitions", static_cast<std::int64_t>(timed));
+      }
+      for (const char* key : {"include", "exclude"}) say_of_both(sweep, key);
+      sweeps.push_back(sweep);
+    });
+    if (turns_.pairs.empty()) {
+      throw InputError(fmt::format("nothing to compare: {}", fmt::join(turns_.remarks, "; ")));
+    }
+    if (!programs.empty()) text.insert_or_assign("algorithm", programs);
+    text.insert_or_assign("sweep", sweeps);
+    if (toml::table* const most = text["max_n"].as_table()) say_of_both(*most);
+    text.insert("timing", toml::table());  // unless it is there
+    text["timing"].as_table()->insert_or_assign("restart", true);
+    text.insert_or_assign("study", sides_[0]->study.spec.name + "-turns");
+    turns_.study = parse_study(toml_text_of(text), "the study in turns");
+    return std::move(turns_);
+  }
+
+ private:
+  bool is_program(const std::string& algorithm) const {
+    return std::ranges::any_of(sides_, [&](const TurnsSide* side) {
+      return std::ranges::any_of(side->study.spec.programs,
+                                 [&](const auto& own) { return own->row.name == algorithm; });
+    });
+  }
+
+  // What is said of a program holds of both its versions.
+  void say_of_both(toml::table& most) const {
+    const toml::table said = most;
+    for (const auto& [name, n] : said) {
+      if (!is_program(std::string(name.str()))) continue;
+      for (const char* suffix : kSuffixes) most.insert(std::string(name.str()) + suffix, n);
+      most.erase(name.str());
+    }
+  }
+  void say_of_both(toml::table& sweep, const char* key) const {
+    toml::array patterns;
+    for_each_table(sweep, key, [&](toml::table& pattern) {
+      const std::string name = pattern["algorithm"].value_or(std::string());
+      if (!is_program(name)) return patterns.push_back(pattern);
+      for (const char* suffix : kSuffixes) {
+        pattern.insert_or_assign("algorithm", name + suffix);
+        patterns.push_back(pattern);
+      }
+    });
+    if (!patterns.empty()) sweep.insert_or_assign(key, patterns);
+  }
+
+  // The algorithms of one sweep of both sides; none: it has no setting of one of them.
+  toml::array algorithms_of(std::size_t sweep) {
+    std::array<std::vector<CurveKey>, 2> settings;
+    for (const std::size_t side : {0U, 1U}) {
+      const TurnsSide& of = *sides_[side];
+      settings[side] = settings_of(of.study.spec.sweeps[sweep], of.setting);
+      if (settings[side].empty()) return {};
+    }
+    const std::size_t count = settings[0].size();
+    if (count != settings[1].size()) {
+      throw InputError(fmt::format("sweep {} has {} settings on one side and {} on the other",
+                                   sweep + 1, count, settings[1].size()));
+    }
+    std::vector<CurveKey> compared;
+    for (std::size_t i = 0; i < count; ++i) {
+      SettingPair pair = {"", settings[0][i], settings[1][i]};
+      const bool is_same = pair.base == pair.now;
+      pair.name = algorithm_label(pair.base);
+      if (is_same && !is_program(pair.base.algorithm)) {
+        add_once(turns_.remarks, pair.name + " is the same on both sides: not compared");
+        continue;
+      }
+      if (!is_same) pair.name += " -> " + algorithm_label(pair.now);
+      if (is_program(pair.base.algorithm)) pair.base.algorithm += kSuffixes[0];
+      if (is_program(pair.now.algorithm)) pair.now.algorithm += kSuffixes[1];
+      add_once(turns_.pairs, pair);
+      add_once(compared, pair.base);
+      add_once(compared, pair.now);
+    }
+    toml::array algorithms;
+    for (const CurveKey& key : compared) {
+      toml::table& entry = algorithms.emplace_back<toml::table>();
+      entry.insert("algorithm", key.algorithm);
+      for (const auto& [name, value] : parse_settings(key.options)) entry.insert(name, value);
+    }
+    return algorithms;
+  }
+
+  const std::array<const TurnsSide*, 2> sides_;
+  TurnsStudy turns_;
+};
+
+/// Gives every program of a study another command.
+Study with_commands(const Study& study,
+                    const std::function<toml::array(const ExternalAlgorithm&)>& command_of) {
+  toml::table text = parse_toml(movable_text(study), study.spec.name);
+  auto program = study.spec.programs.begin();
+  for_each_table(text, "algorithm", [&](toml::table& table) {
+    table.insert_or_assign("command", command_of(**program++));
+  });
+  return parse_study(toml_text_of(text), study.spec.name);
+}
+
+}  // namespace
+
+std::vector<CurveKey> settings_of(const StudySpec& spec) {
+  std::vector<CurveKey> settings;
+  for (const Sweep& sweep : spec.sweeps) {
+    for (const CurveKey& key : settings_of(sweep, {})) add_once(settings, key);
+  }
+  return settings;
+}
+
+TurnsStudy turns_of(const TurnsSide& base, const TurnsSide& now, std::size_t rounds,
+                    std::size_t otherwise) {
+  return BothSides(base, now).study(rounds, otherwise);
+}
+
+Study with_command(const Study& study, const std::string& command) {
+  if (study.spec.programs.size() != 1) {
+    throw InputError(fmt::format(
+        "'{}' is no setting of study '{}', which has {} programs whose command it could be",
+        printable(command), study.spec.name, study.spec.programs.size()));
+  }
+  if (command.find_first_of("'\"\\") != std::string::npos) {
+    throw InputError(fmt::format("'{}': a command in turns is words between blanks, without quotes",
+                                 printable(command)));
+  }
+  std::istringstream in(command);
+  toml::array words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return with_commands(study, [&](const auto&) { return words; });
+}
+
+Study with_folder(const Study& study, const std::string& folder) {
+  return with_commands(study, [&](const ExternalAlgorithm& program) {
+    toml::array words{"env", "-C", folder};
+    for (const std::string& word : program.command) {
+      const bool is_path = words.size() > 3 || word.find('/') != std::string::npos;
+      const fs::path there = fs::path(folder) / word;
+      words.push_back(is_path && fs::is_regular_file(there) ? there.string() : word);
+    }
+    return words;
+  });
+}
+
+}  // namespace ar3d
