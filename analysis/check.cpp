@@ -79,63 +79,19 @@ bool comes_first(const Finding& a, const Finding& b) {
          std::tuple(!is_violation(b.kind), b.row.value_or(0));
 }
 
-/// Counts what is found, row by row, and keeps the first findings.
-class FindingList {
- public:
-  explicit FindingList(const Rows& rows)
-      : show_(rows), violated_(rows.size()), touched_(rows.size()) {}
-
-  /// @param run  the finding's row; null if it concerns the whole file.
-  void add(Finding finding, const RunRecord* run) {
-    const bool is_wrong = is_violation(finding.kind);
-    ++(is_wrong ? violations_ : others_);
-    if (finding.row) (is_wrong ? violated_ : touched_)[*finding.row] = true;
-    std::size_t& kept = is_wrong ? kept_violations_ : kept_others_;
-    if (kept == kKeptFindings && finding.row) return;
-    kept += finding.row.has_value();
-    finding.message = one_line(finding.message);
-    if (run != nullptr) {
-      finding.subject = one_line(graph_label(*run));
-      finding.command = one_line(show_(*run, finding.row.value()));
-    }
-    kept_.push_back(std::move(finding));
-  }
-
-  /// Begins a second look at the rows: as many of its findings are kept again.
-  void begin_second_look() { kept_violations_ = kept_others_ = 0; }
-
-  /// Every row counts once: as violated if any finding of it is a violation, else as incomplete.
-  void conclude(const std::vector<bool>& is_ok, CheckVerdict& verdict) {
-    for (std::size_t row = 0; row < is_ok.size(); ++row) {
-      verdict.violated_rows += violated_[row];
-      verdict.incomplete_rows += touched_[row] && !violated_[row];
-      verdict.proved += is_ok[row] && !violated_[row] && !touched_[row];
-    }
-    verdict.violations = violations_;
-    verdict.all_findings = violations_ + others_;
-    std::stable_sort(kept_.begin(), kept_.end(), comes_first);
-    verdict.findings = std::move(kept_);
-  }
-
- private:
-  ShowCommand show_;
-  std::vector<bool> violated_, touched_;
-  std::size_t violations_ = 0, others_ = 0, kept_violations_ = 0, kept_others_ = 0;
-  std::vector<Finding> kept_;
-};
-
-void add_whole_file(const Rows& rows, bool any_drawn, FindingList& findings) {
+template <class Add>
+void check_whole_file(const Rows& rows, bool any_drawn, const Add& add) {
   if (!any_drawn) {
-    const std::string what = rows.size() == 0 ? "nothing measured: the file has no rows"
-                                              : "nothing measured: no row was drawn";
-    findings.add({FindingKind::nothing_measured, {}, what}, nullptr);
+    add({FindingKind::nothing_measured,
+         {},
+         rows.size() == 0 ? "nothing measured: the file has no rows"
+                          : "nothing measured: no row was drawn"},
+        nullptr);
   }
-  if (const auto missing = rows.identity().planned_rows - static_cast<std::int64_t>(rows.size());
-      missing > 0) {
-    findings.add({FindingKind::missing,
-                  {},
-                  fmt::format("{} of {} rows are missing", missing, rows.identity().planned_rows)},
-                 nullptr);
+  const std::int64_t planned = rows.identity().planned_rows;
+  if (const auto missing = planned - static_cast<std::int64_t>(rows.size()); missing > 0) {
+    add({FindingKind::missing, {}, fmt::format("{} of {} rows are missing", missing, planned)},
+        nullptr);
   }
 }
 
@@ -154,12 +110,7 @@ std::string describe(const Finding& finding) {
                      to_string(finding.kind), finding.subject, finding.message, finding.command);
 }
 
-}  // namespace
-
-bool is_unproved(const RunRecord& run) {
-  return run.status == RunStatus::ok && !run.certificate.empty();
-}
-
+/// What the row alone tells: certificate, numbers that every ok row has, extents against bounds.
 std::vector<Finding> row_findings(const RunRecord& run, std::size_t row) {
   std::vector<Finding> findings;
   const auto add = [&](FindingKind kind, std::string message) {
@@ -188,6 +139,12 @@ std::vector<Finding> row_findings(const RunRecord& run, std::size_t row) {
       add(unfinished, fmt::format("{}: {}", to_string(run.status), run.message));
   }
   return findings;
+}
+
+}  // namespace
+
+bool is_unproved(const RunRecord& run) {
+  return run.status == RunStatus::ok && !run.certificate.empty();
 }
 
 const char* to_string(FindingKind kind) {
@@ -222,13 +179,29 @@ bool breaks_promise(const RunRecord& run) {
 CheckVerdict check(const Rows& rows) {
   CheckVerdict verdict;
   verdict.rows = rows.size();
+  const ShowCommand show(rows);
+  std::vector<bool> is_ok(rows.size()), violated(rows.size()), touched(rows.size());
+  std::array<std::size_t, 2> kept{};  // others, violations
+  // @param run  the finding's row; null if it concerns the whole file.
+  const auto add = [&](Finding finding, const RunRecord* run) {
+    const bool is_wrong = is_violation(finding.kind);
+    verdict.violations += is_wrong;
+    ++verdict.all_findings;
+    if (finding.row) (is_wrong ? violated : touched)[*finding.row] = true;
+    if (kept[is_wrong] == kKeptFindings && finding.row) return;
+    kept[is_wrong] += finding.row.has_value();
+    finding.message = one_line(finding.message);
+    if (run != nullptr) {
+      finding.subject = one_line(graph_label(*run));
+      finding.command = one_line(show(*run, finding.row.value()));
+    }
+    verdict.findings.push_back(std::move(finding));
+  };
   bool any_drawn = false;
-  FindingList findings(rows);
-  std::vector<bool> is_ok(rows.size());
   std::vector<Fingerprint> prints(rows.size());
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const RunRecord& run = rows.run(row);
-    for (Finding& finding : row_findings(run, row)) findings.add(std::move(finding), &run);
+    for (Finding& finding : row_findings(run, row)) add(std::move(finding), &run);
     is_ok[row] = run.status == RunStatus::ok && !is_unproved(run);
     verdict.unproved += is_unproved(run);
     any_drawn = any_drawn || run.status == RunStatus::ok || run.status == RunStatus::violated ||
@@ -238,12 +211,16 @@ CheckVerdict check(const Rows& rows) {
     prints[row] = fingerprint_of(run, row);
   }
   std::sort(prints.begin(), prints.end());
-  findings.begin_second_look();
-  find_in_repetitions(rows, prints, [&](Finding finding, const RunRecord& run) {
-    findings.add(std::move(finding), &run);
-  });
-  add_whole_file(rows, any_drawn, findings);
-  findings.conclude(is_ok, verdict);
+  kept = {};  // of this second look at the rows as many are kept again
+  find_in_repetitions(
+      rows, prints, [&](Finding finding, const RunRecord& run) { add(std::move(finding), &run); });
+  check_whole_file(rows, any_drawn, add);
+  for (std::size_t row = 0; row < rows.size(); ++row) {  // once: violated, incomplete or proved
+    verdict.violated_rows += violated[row];
+    verdict.incomplete_rows += touched[row] && !violated[row];
+    verdict.proved += is_ok[row] && !violated[row] && !touched[row];
+  }
+  std::stable_sort(verdict.findings.begin(), verdict.findings.end(), comes_first);
   verdict.is_last_repetition = last_repetitions(prints);
   return verdict;
 }

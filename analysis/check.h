@@ -105,8 +105,4 @@ std::string summary(const CheckVerdict& verdict, std::size_t max_findings = 20);
 /// violated: nothing proves it.
 bool is_unproved(const RunRecord& run);
 
-/// Returns what the row alone tells: certificate, numbers that every ok row has, extents against
-/// bounds.
-std::vector<Finding> row_findings(const RunRecord& run, std::size_t row);
-
 }  // namespace ar3d

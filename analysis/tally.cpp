@@ -200,12 +200,11 @@ void Tallying::add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& op
 
 void Tallying::add_batch(const RunRecord& run, const CurveKey& key) {
   if (run.scale < 1 || !(run.efficiency > 0) || !(run.batch_s > 0)) return;
-  BatchTally& batch =
+  auto& [batch_s, ideal_s] =
       tally_.batches[{run.phase, algorithm_label(key), family_label(key), run.n, run.scale}];
-  if (batch.batch_s.size() == kMostBatches) return;
-  batch.batch_s.push_back(run.batch_s);
-  batch.ideal_s.push_back(run.ideal_batch_s);
-  batch.efficiency.push_back(run.efficiency);
+  if (batch_s.size() == kMostBatches) return;
+  batch_s.push_back(run.batch_s);
+  ideal_s.push_back(run.ideal_batch_s);
 }
 
 void add_slacks(const DrawnGraph& graph, std::array<AxisBounds, 3>& axes) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "ar3d/store/columns/curves.h"
@@ -148,24 +149,16 @@ struct CurveTally {
   }
 };
 
-/// Names batches of one size that so many threads or ranks shared: values of the first 10,000 rows.
-struct BatchKey {
-  RunPhase phase = RunPhase::strong;
-  std::string algorithm;  ///< algorithm_label
-  std::string family;     ///< family_label
-  std::int64_t n = 0;
-  std::int64_t sharers = 0;
-  friend auto operator<=>(const BatchKey&, const BatchKey&) = default;
-};
-struct BatchTally {
-  std::vector<double> batch_s, ideal_s, efficiency;
-};
+/// Names batches of one size that so many threads or ranks shared: phase, algorithm_label,
+/// family_label, n, how many shared them.
+using BatchKey = std::tuple<RunPhase, std::string, std::string, std::int64_t, std::int64_t>;
 
 /// Holds what one pass over a study's rows keeps. Memory does not grow with the rows of a size: at
 /// most 200,000 graphs with all their numbers, or eight for each of at most 200,000 sizes.
 struct StudyTally {
   std::vector<CurveTally> curves;  ///< in the order of their first rows
-  std::map<BatchKey, BatchTally> batches;
+  /// Holds batch_s and ideal_batch_s of the first 10,000 rows of each.
+  std::map<BatchKey, std::array<std::vector<double>, 2>> batches;
   std::size_t kept_graphs = 0;    ///< of each size at most so many; 0: all were kept
   std::size_t left_out_rows = 0;  ///< of curves and sizes beyond the first 200,000 sizes
 };

@@ -123,11 +123,10 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
       files[0].held = CollectedFile{.name = {}, .file = {}, .group = {}, .hash = {}, .graphs = 1};
       files[0].lines = {{0, line}};
     }
-    const auto graphs =
-        named_corpus(files.size() == 1 ? files[0].path : fmt::format("{} files", files.size()),
-                     std::make_shared<const Corpus>(files, options));
-    tell_notes(graphs->graphs->notes());
-    return {{&graphs->family, {}, graphs}};
+    const auto graphs = std::make_shared<const Corpus>(
+        files, options, files.size() == 1 ? files[0].path : fmt::format("{} files", files.size()));
+    tell_notes(graphs->notes());
+    return {{&graphs->family(), {}, graphs}};
   }
   if (arguments.family == "all") return fitting_families(algorithm, arguments.hunting.n);
   const Family& family = find_family(arguments.family);
@@ -149,7 +148,7 @@ int hunt_and_show(HuntArguments arguments) {
   const std::string which =
       !arguments.row.empty() ? "row " + arguments.row
       : result.start.corpus && arguments.inputs.size() > 1
-          ? fmt::format("({})", result.start.corpus->graphs->graph_name(result.start_place))
+          ? fmt::format("({})", result.start.corpus->graph_name(result.start_place))
       : result.start.corpus ? fmt::format("graph {}", result.start_place)
                             : fmt::format("with seed {}", result.start_seed);
   nlohmann::ordered_json json = trial_json(result.best, arguments);

@@ -177,7 +177,7 @@ void tell_failure(std::optional<int> rank, const std::string& what,
 void tell_reading(const Study& study) {
   std::set<const Corpus*> told;
   for (const StudyCorpus& corpus : corpora_of(study)) {
-    const Corpus& graphs = *corpus.corpus->graphs;
+    const Corpus& graphs = *corpus.corpus;
     if (told.insert(&graphs).second) tell_notes(graphs.notes());
   }
 }
@@ -299,14 +299,13 @@ void tell_growth(const Study& study) {
   std::set<std::string> told;
   for (const StudyCorpus& corpus : corpora_of(study)) {
     if (!told.insert(corpus.record.name).second) continue;
-    const CorpusGrowth& growth = corpus.corpus->graphs->growth();
-    tell(corpus.record.name, growth.added, "new, to be drawn");
-    tell(corpus.record.name, growth.changed, "changed, to be drawn beside the rows that are there");
-    tell(corpus.record.name, growth.gone, "gone, whose rows and graphs stay in the results");
+    const auto& [added, changed, gone] = corpus.corpus->growth();
+    tell(corpus.record.name, added, "new, to be drawn");
+    tell(corpus.record.name, changed, "changed, to be drawn beside the rows that are there");
+    tell(corpus.record.name, gone, "gone, whose rows and graphs stay in the results");
     std::vector<std::string> reasons;
     if (!corpus.entry->options.skip) {
-      for (const SkippedFile& file : corpus.corpus->graphs->skipped())
-        reasons.push_back(file.reason);
+      for (const SkippedFile& file : corpus.corpus->skipped()) reasons.push_back(file.reason);
     }
     tell(corpus.record.name, reasons, "without a graph, left out");
   }

@@ -69,7 +69,7 @@ std::string skipped_text(const std::vector<SkippedFile>& skipped) {
 
 // Which of its graphs are outside of the theorems of the algorithms that are to draw it.
 void print_collection(const StudyCorpus& collection) {
-  const Corpus& graphs = *collection.corpus->graphs;
+  const Corpus& graphs = *collection.corpus;
   std::set<std::uint32_t> limits;
   for (const AlgorithmChoice& choice : collection.sweep->algorithms) {
     limits.insert(choice.algorithm->guarantee.max_degree);

@@ -38,22 +38,10 @@ struct StatusArguments {
   bool watch = false;
 };
 
-// How far a study is, from its journals or its results file.
-struct Standing {
-  StudyIdentity identity;
-  std::uint64_t rows = 0;
-  std::uint64_t not_ok = 0;
-  int writers = 0;
-  std::size_t journals = 0;
-
-  bool complete() const {
-    return identity.planned_rows >= 0 && rows >= static_cast<std::uint64_t>(identity.planned_rows);
-  }
-};
-
-Standing standing_now(const std::string& file) {
+// From its journals or its results file.
+JournalStatus standing_now(const std::string& file) {
   const std::string results = results_path_of(file);
-  Standing standing;
+  JournalStatus standing;
   if (rows_are_in_results(results)) {
     const Rows rows(results);
     standing.identity = rows.identity();
@@ -65,13 +53,13 @@ Standing standing_now(const std::string& file) {
     if (standing.journals++ == 0) standing.identity = status.identity;
     standing.rows += status.rows;
     standing.not_ok += status.not_ok;
-    standing.writers += status.is_written ? 1 : 0;
+    standing.writers += status.writers;
   }
   return standing;
 }
 
 // Once more if a file went while it was read: a study that ends takes its journals away.
-Standing standing_of(const std::string& file) {
+JournalStatus standing_of(const std::string& file) {
   try {
     return standing_now(file);
   } catch (const InputError&) {
@@ -79,7 +67,7 @@ Standing standing_of(const std::string& file) {
   }
 }
 
-std::string line(const Standing& standing) {
+std::string line(const JournalStatus& standing) {
   std::string text = fmt::format("study {}", printable(standing.identity.study_id));
   const Shard& shard = standing.identity.shard;
   if (shard.count > 1) text += fmt::format(" shard {}/{}", shard.index, shard.count);
@@ -94,7 +82,7 @@ std::string line(const Standing& standing) {
   return text;
 }
 
-nlohmann::ordered_json standing_json(const Standing& standing) {
+nlohmann::ordered_json standing_json(const JournalStatus& standing) {
   const StudyIdentity& identity = standing.identity;
   return {{"study", identity.study_id},     {"shard", {identity.shard.index, identity.shard.count}},
           {"begun", identity.created},      {"source", identity.source_hash},
@@ -103,7 +91,7 @@ nlohmann::ordered_json standing_json(const Standing& standing) {
           {"complete", standing.complete()}};
 }
 
-void print_details(const Standing& standing, const std::string& file) {
+void print_details(const JournalStatus& standing, const std::string& file) {
   say("{}\nbegun    {}\nsource   {}{}\n", line(standing), printable(standing.identity.created),
       printable(standing.identity.source_hash), standing.identity.dirty ? " and changes" : "");
   const std::string results = shell_word(results_path_of(file));
@@ -115,11 +103,11 @@ void print_details(const Standing& standing, const std::string& file) {
 }
 
 // One line per second until the writing has ended.
-Standing watch(const std::string& file) {
+JournalStatus watch(const std::string& file) {
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   const auto start = std::chrono::steady_clock::now();
-  const Standing first = standing_of(file);
-  Standing now = first;
+  const JournalStatus first = standing_of(file);
+  JournalStatus now = first;
   while (now.writers > 0) {
     std::string text = line(now);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -151,7 +139,7 @@ int show(const StatusArguments& arguments) {
     note(stdout, "{} rows are in {}\n", outcome.rows, arguments.snapshot);
     return outcome.complete() ? kPass : kIncomplete;
   }
-  Standing standing = arguments.watch ? watch(arguments.file) : standing_of(arguments.file);
+  JournalStatus standing = arguments.watch ? watch(arguments.file) : standing_of(arguments.file);
   if (standing.writers > 0) {
     if (manner.json) print_json(standing_json(standing));
     if (!manner.json) print_details(standing, arguments.file);

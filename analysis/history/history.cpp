@@ -225,13 +225,14 @@ void judge_times(std::size_t begin, std::size_t end, const std::vector<OpenLine>
   std::sort(results.begin(), results.end());
   results.erase(std::unique(results.begin(), results.end()), results.end());
   for (const std::size_t result : results) {
-    series.results.push_back({yardsticks[result], std::vector<SideTimes>(cells.size())});
+    series.yardsticks.push_back(yardsticks[result]);
+    series.results.emplace_back(cells.size());
   }
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     const HistoryLine& line = history.lines[cells[cell]];
     for (std::size_t i = 0; i < line.results.size(); ++i) {
       const auto at = std::lower_bound(results.begin(), results.end(), line.results[i]);
-      series.results[static_cast<std::size_t>(at - results.begin())].cells[cell] =
+      series.results[static_cast<std::size_t>(at - results.begin())][cell] =
           entries[cells[cell]].times[i];
     }
   }

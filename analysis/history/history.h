@@ -59,12 +59,9 @@ CellTable cell_values(const Rows& rows);
 
 /// Holds times of one study in one environment, over its results in their order.
 struct TimeSeries {
-  struct Result {
-    std::array<double, 3> yardsticks{};  ///< logarithms; NaN: unknown
-    std::vector<SideTimes> cells;        ///< one for each of `settings`; 0 rounds: not timed
-  };
-  std::vector<std::string> settings;  ///< which setting each cell is of
-  std::vector<Result> results;
+  std::vector<std::string> settings;              ///< which setting each cell is of
+  std::vector<std::array<double, 3>> yardsticks;  ///< by result; logarithms, NaN: unknown
+  std::vector<std::vector<SideTimes>> results;    ///< of all cells; 0 rounds: not timed
 };
 
 inline constexpr std::size_t kNoCell = static_cast<std::size_t>(-1);

@@ -90,7 +90,7 @@ class StepFinder {
     Levels levels;
     const auto share = 1 / static_cast<double>(width);
     for (std::size_t i = at - width; i < at + width; ++i) {
-      const SideTimes& one = series_.results[i].cells[cell];
+      const SideTimes& one = series_.results[i][cell];
       if (one.rounds == 0) return std::nullopt;
       SideTimes& side = sides[i >= at];
       side.rounds += one.rounds;
@@ -108,7 +108,7 @@ class StepFinder {
     for (std::size_t which = 0; which < changes.size(); ++which) {
       std::array<std::vector<double>, 2> sides;
       for (std::size_t i = at - width; i < at + width; ++i) {
-        sides[i >= at].push_back(series_.results[i].yardsticks[which]);
+        sides[i >= at].push_back(series_.yardsticks[i][which]);
       }
       changes[which] = median(sides[1]) - median(sides[0]);
     }
@@ -239,10 +239,10 @@ class StepFinder {
   void add_smallest() {
     const std::size_t size = series_.results.size();
     std::map<std::string, SmallestStep> by_name;
-    for (const TimeSeries::Result& result : series_.results) {
+    for (const std::vector<SideTimes>& result : series_.results) {
       std::map<std::string, std::size_t> cells;
-      for (std::size_t i = 0; i < result.cells.size(); ++i) {
-        if (result.cells[i].rounds > 0) ++cells[series_.settings[i]];
+      for (std::size_t i = 0; i < result.size(); ++i) {
+        if (result[i].rounds > 0) ++cells[series_.settings[i]];
       }
       for (const auto& [name, count] : cells) {
         SmallestStep& step = by_name[name];

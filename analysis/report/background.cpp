@@ -136,23 +136,24 @@ void add_scaling(TableMaker& make) {
   Table& table = make.table("scaling");
   const std::int64_t cores = cores_of(make.analysis.rows.environment());
   for (const auto& [key, batch] : make.analysis.tally.batches) {
-    const auto sharers = static_cast<double>(key.sharers);
-    const double batch_s = median(batch.batch_s), ideal_s = median(batch.ideal_s);
-    const auto [low, high] = median_interval(batch.batch_s);
-    std::vector<TableCell> row = {key.algorithm,
-                                  is_strong(key.phase) ? "strong" : "weak",
-                                  is_over_ranks(key.phase) ? "ranks" : "threads",
-                                  key.family,
-                                  key.n,
-                                  key.sharers,
+    const auto& [phase, algorithm, family, n, count] = key;
+    const auto sharers = static_cast<double>(count);
+    const double batch_s = median(batch[0]), ideal_s = median(batch[1]);
+    const auto [low, high] = median_interval(batch[0]);
+    std::vector<TableCell> row = {algorithm,
+                                  is_strong(phase) ? "strong" : "weak",
+                                  is_over_ranks(phase) ? "ranks" : "threads",
+                                  family,
+                                  n,
+                                  count,
                                   batch_s,
                                   ideal_s,
                                   ideal_s / batch_s,
                                   ideal_s / batch_s * sharers,
                                   low,
                                   high,
-                                  !is_over_ranks(key.phase) && cores > 0 && key.sharers > cores};
-    if (is_strong(key.phase) && key.sharers > 1) {
+                                  !is_over_ranks(phase) && cores > 0 && count > cores};
+    if (is_strong(phase) && count > 1) {
       for (const double seconds : {batch_s, low, high}) {
         row.emplace_back(serial_part(seconds / ideal_s, sharers));
       }

@@ -84,7 +84,9 @@ struct Collection {
   std::map<std::pair<std::uint64_t, std::int64_t>, CollectionGraph> graphs;  // by seed and place
 
   std::array<double, kCompared.size()> logs_of(const DrawnGraph& graph) const {
-    const auto log = [&](const char* metric) { return log10_metric(graph, metric); };
+    const auto log = [&](const char* name) {
+      return decimal(log_positive(metric_of(graph, name)));
+    };
     return {(is_relative ? graph.log2_relative_volume : graph.log2_volume) * std::log10(2),
             is_timed ? decimal(graph.log_timed_s) : kMissing,
             log("total_edge_length") - log("smallest_vertex_distance"),
@@ -126,25 +128,26 @@ std::vector<Collection> collections_of(const std::vector<Section>& sections) {
   return all;
 }
 
-/// A graph that two settings drew.
-struct GraphPair {
-  const DrawnGraph *one = nullptr, *other = nullptr;
-  double x = 0, y = 0;
-  double ratio() const { return y - x; }
-};
+/// What two settings made of one graph.
+using GraphPair = std::array<const CollectionDrawing*, 2>;
+
+/// The second value over the first, as a logarithm.
+double ratio_of(const GraphPair& pair, std::size_t measure) {
+  return pair[1]->logs[measure] - pair[0]->logs[measure];
+}
 
 /// In increasing order of the second value over the first.
 std::vector<GraphPair> pairs_of(const Collection& collection, std::size_t measure, std::size_t a,
                                 std::size_t b) {
   std::vector<GraphPair> pairs;
+  const auto ratio = [&](const GraphPair& pair) { return ratio_of(pair, measure); };
   for (const auto& [key, drawn] : collection.graphs) {
     const auto one = drawn.find(a), other = drawn.find(b);
     if (one == drawn.end() || other == drawn.end()) continue;
-    const GraphPair pair{one->second.graph, other->second.graph, one->second.logs[measure],
-                         other->second.logs[measure]};
-    if (!std::isnan(pair.ratio())) pairs.push_back(pair);
+    const GraphPair pair{&one->second, &other->second};
+    if (!std::isnan(ratio(pair))) pairs.push_back(pair);
   }
-  std::ranges::stable_sort(pairs, {}, &GraphPair::ratio);
+  std::ranges::stable_sort(pairs, {}, ratio);
   return pairs;
 }
 
@@ -223,21 +226,25 @@ void add_pairs(TableMaker& make, const Collection& of, std::size_t measure,
     if (all.empty()) return;
     const std::size_t one = of.settings[a].first, other = of.settings[b].first;
     std::vector<double> ratios;
-    for (const GraphPair& pair : all) ratios.push_back(std::pow(10, pair.ratio()));
-    const auto below = static_cast<std::size_t>(
-        std::ranges::count_if(all, [](const GraphPair& pair) { return pair.ratio() < -kEqual; }));
-    const auto above = static_cast<std::size_t>(
-        std::ranges::count_if(all, [](const GraphPair& pair) { return pair.ratio() > kEqual; }));
+    std::size_t below = 0, above = 0;
+    for (const GraphPair& pair : all) {
+      const double ratio = ratio_of(pair, measure);
+      ratios.push_back(std::pow(10, ratio));
+      below += ratio < -kEqual;
+      above += ratio > kEqual;
+    }
     const Interval interval = median_interval(ratios);
     pair_counts.add({of.family, kCompared[measure].name, one, other, all.size(),
                      static_cast<double>(above) / static_cast<double>(all.size()),
                      all.size() - above - below, median(ratios), interval.low, interval.high,
                      sign_test(below, above)});
     const auto add = [&](const GraphPair& pair, bool is_outlier) {
-      pairs.add({of.family, kCompared[measure].name, one, other, kCompared[measure].value(pair.x),
-                 kCompared[measure].value(pair.y), std::pow(10, pair.ratio()),
-                 make.graphs.add(of.settings[a].second->place, *pair.one),
-                 make.graphs.add(of.settings[b].second->place, *pair.other), is_outlier});
+      pairs.add({of.family, kCompared[measure].name, one, other,
+                 kCompared[measure].value(pair[0]->logs[measure]),
+                 kCompared[measure].value(pair[1]->logs[measure]),
+                 std::pow(10, ratio_of(pair, measure)),
+                 make.graphs.add(of.settings[a].second->place, *pair[0]->graph),
+                 make.graphs.add(of.settings[b].second->place, *pair[1]->graph), is_outlier});
     };
     for (const GraphPair& pair : outliers(all)) add(pair, true);
     for (const GraphPair& pair : evenly(all, most_points)) add(pair, false);
@@ -308,8 +315,7 @@ std::vector<std::size_t> collection_outliers(const std::vector<Section>& section
   for (const Collection& collection : collections_of(sections)) {
     for_each_pair(collection, [&](std::size_t a, std::size_t b) {
       for (const GraphPair& pair : outliers(pairs_of(collection, 0, a, b))) {
-        rows.push_back(pair.one->row);
-        rows.push_back(pair.other->row);
+        for (const CollectionDrawing* drawing : pair) rows.push_back(drawing->graph->row);
       }
     });
   }

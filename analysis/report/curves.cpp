@@ -32,8 +32,8 @@ std::vector<SizeSample> binned(const std::vector<SizeSample>& all, double order)
     for (; next != all.end() && next->n <= last; ++next) {
       const double moved = order * (log_n(sample.n) - log_n(next->n));
       if (std::isnan(sample.log_bound)) sample.log_bound = next->log_bound + moved;
-      for (const InstanceValue& value : next->instances) {
-        sample.instances.push_back({value.log_value + moved, value.row});
+      for (const auto& [log, row] : next->instances) {
+        sample.instances.emplace_back(log + moved, row);
       }
     }
   }
@@ -68,11 +68,11 @@ Figure figure_of(const TableMaker& make, std::size_t setting, Quantity quantity)
 void add_lines(const Figure& figure, std::size_t most_sizes, Table& table) {
   for (const auto& [curve, sizes] : figure.lines) {
     for (const SizeSample& size : evenly(sizes, most_sizes)) {
-      const auto [least, largest] =
-          std::ranges::minmax_element(size.instances, {}, &InstanceValue::log_value);
+      const auto [least, largest] = std::ranges::minmax_element(
+          size.instances, {}, [](const auto& graph) { return graph.first; });
       table.add({curve->place, name_of(figure.quantity), size.n, size.instances.size(),
-                 figure.over(size, least->log_value), figure.middle(size),
-                 figure.over(size, largest->log_value), largest->row,
+                 figure.over(size, least->first), figure.middle(size),
+                 figure.over(size, largest->first), largest->second,
                  figure.over(size, size.log_bound), std::exp(figure.order * log_n(size.n))});
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/report/sections.h"
@@ -56,11 +57,7 @@ void add_page_cells(const SectionCurve& curve, const ShowCommand& show,
 /// least last values. By curve: 1, 2, …
 std::map<std::size_t, std::size_t> named_lines(const Section& section, Quantity quantity,
                                                const std::vector<SizeBin>& bins) {
-  struct Line {
-    std::size_t place;
-    std::int64_t last_n;
-    double last;
-  };
+  using Line = std::tuple<std::size_t, std::int64_t, double>;  // curve, its last n, value there
   std::vector<Line> lines, to_the_end;
   std::int64_t largest = 0;
   const double order = order_of(section, quantity);
@@ -68,19 +65,21 @@ std::map<std::size_t, std::size_t> named_lines(const Section& section, Quantity 
     const ScalingEntry* entry = curve.growth(quantity);
     if (entry == nullptr || entry->reason == kUntimed) continue;
     const SizeSample& last = entry->all.back();
-    lines.push_back({curve.place, bin_of(bins, last.n).n,
-                     median(last.log_values()) - order * std::log(static_cast<double>(last.n))});
-    largest = std::max(largest, lines.back().last_n);
+    const std::int64_t last_n = bin_of(bins, last.n).n;
+    lines.emplace_back(curve.place, last_n,
+                       median(last.log_values()) - order * std::log(static_cast<double>(last.n)));
+    largest = std::max(largest, last_n);
   }
   if (lines.size() > kAllNamed) {
     std::ranges::copy_if(lines, std::back_inserter(to_the_end),
-                         [&](const Line& line) { return line.last_n == largest; });
+                         [&](const Line& line) { return std::get<1>(line) == largest; });
     if (to_the_end.size() >= 2 * kEndsNamed) lines = std::move(to_the_end);
-    std::ranges::stable_sort(lines, std::greater(), &Line::last);
+    std::ranges::stable_sort(lines, std::greater(),
+                             [](const Line& line) { return std::get<2>(line); });
     lines.erase(lines.begin() + kEndsNamed, lines.end() - kEndsNamed);
   }
   std::map<std::size_t, std::size_t> named;
-  for (const Line& line : lines) named.emplace(line.place, named.size() + 1);
+  for (const Line& line : lines) named.emplace(std::get<0>(line), named.size() + 1);
   return named;
 }
 
@@ -109,7 +108,7 @@ void add_growth_row(const ScalingEntry& entry, std::size_t curve, std::size_t na
                          told.low,
                          told.high,
                          entry.all.size(),
-                         entry.censored.size(),
+                         entry.censored,
                          entry.reason == kUntimed,
                          named == 0 ? TableCell() : TableCell(named)});
   table.add(std::move(row));

@@ -209,9 +209,6 @@ Interval told_interval(const ScalingEntry& entry) {
 }
 
 double log10_of(std::int64_t n) { return std::log10(static_cast<double>(n)); }
-double log10_metric(const DrawnGraph& graph, std::string_view name) {
-  return decimal(log_positive(metric_of(graph, name)));
-}
 double bends_of(const DrawnGraph& graph) {
   double bends = 0;
   for (int of_edge = 1; of_edge < 8; ++of_edge) {

@@ -145,8 +145,7 @@ void add_band(TableMaker& make, std::size_t setting, const char* quantity,
 double log10_of(std::int64_t n);
 /// Returns the decimal logarithm of a natural one.
 double decimal(double natural_log);
-/// Returns the decimal logarithm of a metric, and the bends of all edges; NaN: missing.
-double log10_metric(const DrawnGraph& graph, std::string_view name);
+/// Returns the bends of all edges; NaN: missing.
 double bends_of(const DrawnGraph& graph);
 
 /// Returns at most `most` of the items, evenly, the first and the last among them.

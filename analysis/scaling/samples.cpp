@@ -29,7 +29,7 @@ double log_bound(const DrawnGraph& graph, Quantity quantity) {
 
 std::vector<double> SizeSample::log_values() const {
   std::vector<double> values;
-  for (const InstanceValue& instance : instances) values.push_back(instance.log_value);
+  for (const auto& [log_value, row] : instances) values.push_back(log_value);
   return values;
 }
 
@@ -49,7 +49,7 @@ std::vector<SizeSample> samples(const CurveTally& curve, Quantity quantity) {
       const double log = log_value(graph, quantity, curve.has_timing_rows);
       if (std::isnan(log)) continue;
       if (size.instances.empty()) size.log_bound = log_bound(graph, quantity);
-      size.instances.push_back({log, graph.row});
+      size.instances.emplace_back(log, graph.row);
     }
     if (size.instances.empty()) continue;
     if (tally.graphs.size() < tally.drawn) {

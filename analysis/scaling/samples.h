@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "ar3d/analysis/tally.h"
@@ -14,18 +15,13 @@ const char* name_of(Quantity quantity);
 /// where the graph has no bound.
 double log_bound(const DrawnGraph& graph, Quantity quantity);
 
-/// Describes one graph: the logarithm of its value and its first ok row.
-struct InstanceValue {
-  double log_value = 0;
-  std::size_t row = 0;
-};
-
 /// Describes all graphs of one n, or a uniform sample of them; never empty.
 struct SizeSample {
   std::int64_t n = 0;
   std::int64_t requested_n =
       0;  ///< what the study asked for; families make the nearest n they have
-  std::vector<InstanceValue> instances;
+  /// Holds of each graph the logarithm of its value and its first ok row.
+  std::vector<std::pair<double, std::size_t>> instances;
   double mean_of_all = kMissing;  ///< of the logarithms, where `instances` is a sample
   double log_bound = kMissing;    ///< of the first instance
   /// Is true if some instance of this size ended in timeout, out of memory or a crash: what is here

@@ -192,7 +192,7 @@ std::vector<ScalingEntry> scaling(const StudyTally& tally) {
     if (quantity == Quantity::wall_s && !curve.has_timing_rows) refuse_untimed(entry);
     entry.key = curve.key;
     entry.quantity = quantity;
-    entry.censored = curve.censored;
+    entry.censored = curve.censored.size();
   });
   std::erase_if(entries, [](const ScalingEntry& entry) { return entry.all.empty(); });
   return entries;

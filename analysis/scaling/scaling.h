@@ -84,14 +84,14 @@ const char* to_string(Growth growth);
 struct ScalingEntry {
   CurveKey key;
   Quantity quantity{};
-  std::vector<SizeSample> all;        ///< everything measured, for plots
-  std::vector<CensoredRow> censored;  ///< rows that ended before they had a value
-  std::vector<SizeSample> used;       ///< what was fitted: choose_sizes
-  CurveFit power;                     ///< n^a; a is the apparent exponent over the fitted sizes
-  CurveFit with_log;                  ///< n^a log^b n
-  Curvature curvature;                ///< how far from a power law the sizes are
-  double log_weight = kMissing;       ///< ar3d::log_weight
-  bool decided = false;               ///< the apparent exponent has an interval
+  std::vector<SizeSample> all;   ///< everything measured, for plots
+  std::size_t censored = 0;      ///< rows that ended before they had a value
+  std::vector<SizeSample> used;  ///< what was fitted: choose_sizes
+  CurveFit power;                ///< n^a; a is the apparent exponent over the fitted sizes
+  CurveFit with_log;             ///< n^a log^b n
+  Curvature curvature;           ///< how far from a power law the sizes are
+  double log_weight = kMissing;  ///< ar3d::log_weight
+  bool decided = false;          ///< the apparent exponent has an interval
   Growth growth = Growth::undecided;
   /// Says where a power law's exponent lies for larger n, too, if what is left of a lower-order
   /// term falls at least like n^(-1/2): power.exponent_interval widened by the drift at either end.

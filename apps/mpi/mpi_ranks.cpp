@@ -155,7 +155,8 @@ class MpiRanks final : public Ranks {
     return static_cast<StepResult>(code);
   }
 
-  DoneAtOnce at_once(int count, const std::string& job, const MakeReady& make_ready) override {
+  std::pair<double, std::vector<std::string>> at_once(int count, const std::string& job,
+                                                      const MakeReady& make_ready) override {
     for (int rank = 1; rank < count; ++rank) send_text(job, rank, kJobTag);
     const Work work = made_ready(make_ready, job);
     for (int rank = 1; rank < count; ++rank) receive_text(rank, kReadyTag);

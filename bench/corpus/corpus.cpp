@@ -124,14 +124,14 @@ class Corpus::Scan {
       return;
     }
     const std::string& shown = file.file.empty() ? file.path : file.file;
-    if (known != held_.end()) corpus_.growth_.changed.push_back(shown);
-    if (known == held_.end() && !held_.empty()) corpus_.growth_.added.push_back(shown);
+    if (known != held_.end()) corpus_.growth_[1].push_back(shown);
+    if (known == held_.end() && !held_.empty()) corpus_.growth_[0].push_back(shown);
     add(file.name, std::move(read));
   }
 
   void finish(bool has_looked) {
     for (const auto& [file, hashes] : held_) {
-      if (has_looked && !there_.contains(file)) corpus_.growth_.gone.push_back(file);
+      if (has_looked && !there_.contains(file)) corpus_.growth_[2].push_back(file);
     }
     if (options_.sample > 0) drop_replaced();
     corpus_.spool_.flush();
@@ -251,7 +251,14 @@ class Corpus::Scan {
   std::priority_queue<Ticket> drawn_;  // the smallest ones so far, the largest of them on top
 };
 
-Corpus::Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& options) {
+Corpus::Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& options,
+               const std::string& name)
+    : family_{name,
+              "The graphs of files",
+              std::numeric_limits<std::uint32_t>::max(),
+              false,
+              {},
+              [](std::uint64_t n, const Settings&) { return n; }} {
   expect(!files.empty(), "a corpus has files");
   Scan scan(*this, options);
   for (const CorpusFile& file : files) scan.read(file);
@@ -309,17 +316,6 @@ Graph Corpus::graph(std::uint32_t place) const {
                                  place, graphs_in_file_));
   }
   return spool_.read(at->offset);
-}
-
-std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
-                                                std::shared_ptr<const Corpus> graphs) {
-  Family family{name,
-                "The graphs of files",
-                std::numeric_limits<std::uint32_t>::max(),
-                false,
-                {},
-                [](std::uint64_t n, const Settings&) { return n; }};
-  return std::make_shared<const NamedCorpus>(NamedCorpus{std::move(family), std::move(graphs)});
 }
 
 }  // namespace ar3d

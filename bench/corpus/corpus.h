@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <map>
@@ -53,12 +54,6 @@ struct CorpusFile {
   std::map<std::uint32_t, std::string> lines = {};  ///< of sparse6, by place
 };
 
-/// Says how files differ from those that a corpus holds: what they hold by now is added.
-struct CorpusGrowth {
-  std::vector<std::string> added, changed, gone;
-  bool has_new() const { return !added.empty() || !changed.empty(); }
-};
-
 /// Holds how the graphs of files are taken into a study.
 struct CorpusOptions {
   ReadOptions reading = {};        ///< whether loops and parallel edges are dropped, too
@@ -79,10 +74,14 @@ class Corpus {
   /// is left out that holds what a held file of its name does.
   /// @throws InputError naming file and line if a graph cannot be read; if there are more than 10^7
   /// graphs and no sample is taken; if the temporary file cannot be written.
-  Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& options);
+  /// @param name  by which a study and its results know it.
+  Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& options,
+         const std::string& name = "");
   Corpus(const std::string& path, const CorpusOptions& options)
       : Corpus(std::vector<CorpusFile>{{path, "", ""}}, options) {}
 
+  /// Returns the family of that name; every n is its own nearest; it generates nothing.
+  const Family& family() const { return family_; }
   /// Returns, of one file, XXH3-128 of its graphs in order (each one's n and edges), as 32
   /// hexadecimal digits: the same in every format, packed or not, and whatever options take of
   /// them. Of a collection: of names, groups and hashes of its files.
@@ -94,7 +93,9 @@ class Corpus {
   /// Returns what was assumed where a file left a choice, a line each (GraphReader::take_notes).
   const std::vector<std::string>& notes() const { return notes_; }
 
-  const CorpusGrowth& growth() const { return growth_; }
+  /// Returns which files are added, changed and gone, compared with those that were held: what they
+  /// hold by now is added.
+  const std::array<std::vector<std::string>, 3>& growth() const { return growth_; }
   /// Returns the files with graphs, by place; their family has no name yet.
   const std::vector<CollectedFile>& files() const { return files_; }
 
@@ -135,6 +136,7 @@ class Corpus {
   class Scan;
   std::size_t number_at(std::uint32_t place) const;  // of the file
 
+  Family family_;
   std::string path_;  // of the file being read, or of the last one
   std::string hash_;
   std::vector<CollectedFile> files_;   // those with graphs, by place
@@ -142,21 +144,12 @@ class Corpus {
   std::vector<std::uint32_t> copies_;  // how many files before each have the same graphs
   std::vector<SkippedFile> skipped_;
   std::vector<std::string> notes_;
-  CorpusGrowth growth_;
+  std::array<std::vector<std::string>, 3> growth_;
   std::uint64_t graphs_in_file_ = 0;
   std::vector<TakenGraph> entries_;   // by place
   std::vector<std::uint32_t> order_;  // places in entries_, by n and place
   Spool spool_;
 };
-
-/// Describes a corpus under the name by which a study and its results know it.
-struct NamedCorpus {
-  Family family;  ///< that name; every n is its own nearest; it generates nothing
-  std::shared_ptr<const Corpus> graphs;
-};
-
-std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
-                                                std::shared_ptr<const Corpus> graphs);
 
 /// Holds what a study has listed and opened, for all copies of it: nothing is listed or read twice.
 struct CorpusShelf {

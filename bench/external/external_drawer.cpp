@@ -204,7 +204,7 @@ Drawing ExternalDrawer::draw(const ExternalAlgorithm& algorithm, const Graph& gr
   ProgramAnswer read = parsed(algorithm.row.name, graph, answer.line);
   if (!algorithm.one_graph_per_process) drawer.processes_[key] = std::move(process);
   if (!read.drawing) throw InputError(fmt::format("{}: {}", algorithm.row.name, read.refusal));
-  drawer.times_ = {answer.wall_s, std::isnan(read.own_s) ? answer.cpu_s : read.own_s};
+  drawer.times_ = {"", answer.wall_s, std::isnan(read.own_s) ? answer.cpu_s : read.own_s};
   return std::move(*read.drawing);
 }
 

@@ -95,14 +95,12 @@ class ExternalDrawer {
   ExternalDrawer(const ExternalDrawer&) = delete;
   ExternalDrawer& operator=(const ExternalDrawer&) = delete;
 
-  /// Holds what the last drawing took: wall time from request to answer, and as CPU time the
-  /// program's own time if it says so, else that of its process.
-  struct Times {
-    double wall_s = 0;
-    double cpu_s = 0;
-  };
-  /// Returns the times of the last drawing, once; nothing if no program has drawn since.
-  std::optional<Times> take_times() { return std::exchange(times_, std::nullopt); }
+  /// Returns, once, what the last drawing took: wall time from request to answer, and as CPU time the
+  /// program's own time if it says so, else that of its process; without its line. Nothing if no
+  /// program has drawn since.
+  std::optional<ExternalProcess::Answer> take_times() {
+    return std::exchange(times_, std::nullopt);
+  }
 
   /// Draws as the algorithm's row does, in the thread's processes.
   /// @throws ProgramFailure as ExternalProcess, and `crashed` if the answer is no drawing of the
@@ -115,7 +113,7 @@ class ExternalDrawer {
 
  private:
   std::map<std::string, std::unique_ptr<ExternalProcess>> processes_;  // by command
-  std::optional<Times> times_;
+  std::optional<ExternalProcess::Answer> times_;
   ExternalDrawer* const before_;
 };
 

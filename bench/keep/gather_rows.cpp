@@ -96,12 +96,6 @@ StudyOutcome in_order_of(const StudyPlan& plan, const Rows& rows,
 
 }  // namespace
 
-StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard) {
-  if (shard.count == 1) return plan;
-  plan.instances = plan.instances.part_of(shard.index - 1, shard.count);
-  return plan;
-}
-
 std::int64_t required_rows(const StudyPlan& plan) {
   std::int64_t rows = 0;
   for (const PlannedBlock& block : plan.instances.blocks()) {
@@ -115,14 +109,6 @@ StudyOutcome outcome_of(const StudyPlan& plan, const Rows& rows) {
   return in_order_of(plan, rows, places);
 }
 
-StudyOutcome arrange_rows(const StudyPlan& plan, Rows& rows) {
-  std::vector<std::uint32_t> places;
-  StudyOutcome outcome = in_order_of(plan, rows, places);
-  rows.arrange(places);
-  rows.identity().planned_rows = static_cast<std::int64_t>(outcome.rows + outcome.missing);
-  return outcome;
-}
-
 Rows rows_so_far(const std::string& results) {
   std::vector<std::string> files = existing_journals(results);
   if (rows_are_in_results(results)) files.push_back(results);
@@ -132,7 +118,10 @@ Rows rows_so_far(const std::string& results) {
 StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
                                const std::string& path) {
   Rows rows = rows_so_far(study.results);
-  StudyOutcome outcome = arrange_rows(plan, rows);
+  std::vector<std::uint32_t> places;
+  StudyOutcome outcome = in_order_of(plan, rows, places);
+  rows.arrange(places);
+  rows.identity().planned_rows = static_cast<std::int64_t>(outcome.rows + outcome.missing);
   write_results(rows, path);
   rows.file = path;
   outcome.in_hand = std::move(rows);

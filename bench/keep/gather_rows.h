@@ -11,10 +11,6 @@
 
 namespace ar3d {
 
-/// Returns the part of a plan that a shard makes (PlannedInstances::part_of). Rows keep their keys
-/// and their order, not their numbers.
-StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard);
-
 /// Returns rows that a study is not complete without.
 std::int64_t required_rows(const StudyPlan& plan);
 
@@ -24,11 +20,8 @@ Rows rows_so_far(const std::string& results);
 /// Returns how rows of files stand to a plan. @throws InputError naming a row that the plan does not
 /// have.
 StudyOutcome outcome_of(const StudyPlan& plan, const Rows& rows);
-/// Puts them into the plan's order, too. They are complete with those that are there and those that
-/// are missing.
-StudyOutcome arrange_rows(const StudyPlan& plan, Rows& rows);
 
-/// Writes the rows so far of a study with that plan as a results file.
+/// Writes the rows so far of a study with that plan as a results file, in the plan's order.
 /// @throws InputError as rows_so_far, outcome_of, write_results.
 StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
                                const std::string& path);

@@ -15,7 +15,10 @@
 namespace ar3d {
 
 StudyPlan plan_of(const JournaledStudy& study) {
-  return plan_of_shard(plan_study(study), study.shard);
+  StudyPlan plan = plan_study(study);
+  const auto [index, count] = study.shard;
+  if (count > 1) plan.instances = plan.instances.part_of(index - 1, count);
+  return plan;
 }
 
 StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan) {

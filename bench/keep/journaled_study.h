@@ -44,7 +44,8 @@ JournaledStudy new_study(const Study& begun, const Shard& shard, const std::stri
 /// @throws InputError naming the file if it cannot be read or does not say what study it is.
 JournaledStudy begun_study(const std::string& journal_or_results);
 
-/// Returns the plan of its shard. @throws InputError as plan_study.
+/// Returns the plan of its shard (PlannedInstances::part_of): rows keep their keys and their order,
+/// not their numbers. @throws InputError as plan_study.
 StudyPlan plan_of(const JournaledStudy& study);
 /// Returns what its files say of it. @throws InputError as describe_study.
 StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan);

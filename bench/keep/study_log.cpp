@@ -17,7 +17,8 @@ namespace {
 
 bool has_grown(const Study& study) {
   return study.files.grow && std::ranges::any_of(corpora_of(study), [](const StudyCorpus& corpus) {
-           return corpus.corpus->graphs->growth().has_new();
+           const auto& [added, changed, gone] = corpus.corpus->growth();
+           return !added.empty() || !changed.empty();
          });
 }
 

@@ -12,7 +12,6 @@
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/formats/text/tokens.h"
-#include "ar3d/generators/random_graphs.h"
 
 namespace ar3d {
 namespace {
@@ -20,7 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kMostPlaces = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint64_t kShuffleStream = 0x73687566666c65;  // "shuffle", as the families have it
 
 std::string absolute_path(const std::string& folder, const std::string& file) {
   return fs::absolute(fs::path(folder) / file).lexically_normal().string();
@@ -165,7 +163,7 @@ class CorpusReader {
     record.graphs = static_cast<std::int64_t>(graphs->graphs_in_file());
     require_one_of_a_kind(record, options, entry);
     require_rows_of_one_name(*graphs, record, entry);
-    corpora_.push_back({&sweep, &entry, record, named_corpus(record.name, graphs)});
+    corpora_.push_back({&sweep, &entry, record, graphs});
   }
 
   std::shared_ptr<const Corpus> opened(const GraphFileRecord& record, const CorpusOptions& options,
@@ -184,7 +182,7 @@ class CorpusReader {
       if (files.empty()) refuse_empty(entry);
       CorpusOptions now = options;
       now.looks_again = grows && files.front().held;
-      return corpus = std::make_shared<const Corpus>(files, now);
+      return corpus = std::make_shared<const Corpus>(files, now, record.name);
     } catch (const InputError& error) {
       const std::string message = error.what();
       throw InputError(message.starts_with(entry.place) ? message : entry.place + message);
@@ -253,7 +251,7 @@ class CorpusReader {
 std::vector<FamilyChoice> StudyCorpus::choices() const {
   std::vector<FamilyChoice> choices;
   for (const std::int64_t shuffle : entry->shuffles) {
-    FamilyChoice choice{&corpus->family, {}, corpus};
+    FamilyChoice choice{&corpus->family(), {}, corpus};
     if (entry->options.largest_component) choice.parameters.push_back({"largest_component", 1});
     if (shuffle > 0) choice.parameters.push_back({"shuffle", shuffle});
     choices.push_back(std::move(choice));
@@ -288,16 +286,6 @@ std::vector<std::string> graph_files_of(const Study& study) {
 
 std::vector<StudyCorpus> corpora_of(const Study& study, const std::string& only) {
   return CorpusReader(study, only).read();
-}
-
-Graph corpus_graph(const FamilyChoice& choice, std::uint32_t index, std::uint64_t seed) {
-  Graph graph = choice.corpus->graphs->graph(index);
-  const bool is_shuffled =
-      std::any_of(choice.parameters.begin(), choice.parameters.end(),
-                  [](const Setting& setting) { return setting.name == "shuffle"; });
-  if (!is_shuffled) return graph;
-  RandomStream random(seed, kShuffleStream);
-  return shuffled_labels(graph, random);
 }
 
 }  // namespace ar3d

@@ -14,7 +14,7 @@ struct StudyCorpus {
   const Sweep* sweep = nullptr;        ///< of the specification
   const GraphsEntry* entry = nullptr;  ///< of that sweep
   GraphFileRecord record;
-  std::shared_ptr<const NamedCorpus> corpus;
+  std::shared_ptr<const Corpus> corpus;
 
   /// Returns the family and parameters of its instances, for each of the entry's shuffles.
   std::vector<FamilyChoice> choices() const;
@@ -50,9 +50,5 @@ std::vector<std::string> files_come_since(const StudyFiles& files);
 /// that is none.
 std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry,
                                         const StudyFiles& files);
-
-/// Returns the graph of a choice with a corpus: that of the place `index`, its labels permuted by
-/// the seed where the parameters say so.
-Graph corpus_graph(const FamilyChoice& choice, std::uint32_t index, std::uint64_t seed);
 
 }  // namespace ar3d

@@ -1,5 +1,5 @@
-// Makes the list of rows out of a specification. Instances are kept as blocks that differ in their
-// index only, so that a plan of many rows is small; rows that two sweeps ask for are planned once.
+// Makes the list of rows out of a specification. What instances have in common is kept once, so that
+// a plan of many rows is small; rows that two sweeps ask for are planned once.
 #include "ar3d/bench/plan/plan.h"
 
 #include <tuple>
@@ -87,7 +87,7 @@ class Planner {
         for (const FamilyChoice& choice : corpus.choices()) add_corpus_sizes(sweep, choice);
       }
     }
-    group_sizes();
+    for (const SizedFamily& sized : sized_) groups_[group_key(sized)].push_back(&sized);
     for (const SizedFamily& sized : sized_) add_instances(sized);
     plan_.timing = spec_.timing;
     plan_.budget = spec_.budget;
@@ -137,7 +137,7 @@ class Planner {
   // One for each number of vertices that graphs of the corpus have. Whether their degrees fit is
   // for their rows to say.
   void add_corpus_sizes(const Sweep& sweep, const FamilyChoice& choice) {
-    const Corpus& graphs = *choice.corpus->graphs;
+    const Corpus& graphs = *choice.corpus;
     for (std::size_t first = 0, end = 0; first < graphs.size(); first = end) {
       const std::uint64_t n = graphs.n(first);
       while (end < graphs.size() && graphs.n(end) == n) ++end;
@@ -172,54 +172,51 @@ class Planner {
     planned_rows_ += drawings * each;
   }
 
-  // The families at one size that have the same graphs.
-  struct SameGraphs {
-    std::vector<const SizedFamily*> members;
-    std::uint32_t planned = 0;  // instances so far: 0 .. planned - 1
-  };
-
   static std::string group_key(const SizedFamily& sized) {
-    const std::shared_ptr<const NamedCorpus>& corpus = sized.family.corpus;
-    return fmt::format("{}\n{}\n{}\n{}", sized.family.family->name,
-                       corpus ? corpus->graphs->hash() : "", settings_text(sized.family.parameters),
-                       sized.n);
+    const std::shared_ptr<const Corpus>& corpus = sized.family.corpus;
+    return fmt::format("{}\n{}\n{}\n{}", sized.family.family->name, corpus ? corpus->hash() : "",
+                       settings_text(sized.family.parameters), sized.n);
   }
 
-  void group_sizes() {
-    for (const SizedFamily& sized : sized_) groups_[group_key(sized)].members.push_back(&sized);
-  }
+  // The families at one size that have the same graphs.
+  using SameGraphs = std::vector<const SizedFamily*>;
 
   // The instances that none before has asked for, as blocks on which the same members agree.
   void add_instances(const SizedFamily& sized) {
-    SameGraphs& group = groups_.at(group_key(sized));
-    while (group.planned < sized.instances) {
+    const SameGraphs& group = groups_.at(group_key(sized));
+    std::uint32_t planned = 0;  // instances 0 .. planned - 1
+    for (auto before = group.begin(); *before != &sized; ++before) {
+      planned = std::max(planned, (*before)->instances);
+    }
+    while (planned < sized.instances) {
       std::uint32_t end = sized.instances;
-      for (const SizedFamily* other : group.members) {
-        if (other->instances > group.planned) end = std::min(end, other->instances);
+      for (const SizedFamily* other : group) {
+        if (other->instances > planned) end = std::min(end, other->instances);
       }
-      add_block(sized, group, end - group.planned);
-      group.planned = end;
+      add_block(sized, group, planned, end);
+      planned = end;
     }
   }
 
-  void add_block(const SizedFamily& sized, const SameGraphs& group, std::uint32_t count) {
-    PlannedBlock block;
-    block.count = count;
-    PlannedInstance& instance = block.first;
+  void add_block(const SizedFamily& sized, const SameGraphs& group, std::uint32_t first,
+                 std::uint32_t end) {
+    const auto& corpus = sized.family.corpus;
+    const auto index = [&](std::uint32_t i) {
+      return corpus ? corpus->place(sized.first_in_corpus + i) : i;
+    };
+    PlannedInstance instance;
     instance.choice = sized.family;
     instance.parameters = settings_text(sized.family.parameters);
     instance.requested_n = sized.requested_n;
     instance.n = sized.n;
-    instance.index = group.planned;
-    if (const auto& corpus = sized.family.corpus) {
-      block.first_in_corpus = sized.first_in_corpus + group.planned;
-      instance.index = corpus->graphs->place(block.first_in_corpus);
-    }
+    instance.index = index(first);
     std::set<RunIdentity> known;
-    for (const SizedFamily* other : group.members) {
-      if (other->instances > group.planned) add_runs(instance, *other, known);
+    for (const SizedFamily* other : group) {
+      if (other->instances > first) add_runs(instance, *other, known);
     }
-    if (!instance.runs.empty()) plan_.instances.append(std::move(block));
+    if (instance.runs.empty()) return;
+    plan_.instances.push_back(std::move(instance));
+    for (std::uint32_t i = first + 1; i < end; ++i) plan_.instances.add(index(i));
   }
 
   std::vector<AlgorithmChoice> fitting_algorithms(const Sweep& sweep, const FamilyChoice& choice,
@@ -288,13 +285,5 @@ bool is_same_drawing(const PlannedRun& a, const PlannedRun& b) {
 }
 
 StudyPlan plan_study(const Study& study) { return Planner(study).plan(); }
-
-AlgorithmRecord algorithm_record(const AlgorithmChoice& choice) {
-  const Guarantee& guarantee = choice.algorithm->guarantee;
-  AlgorithmRecord record{
-      choice.algorithm->name, settings_text(choice.options), guarantee.bound, {}};
-  if (!guarantee.published.empty()) record.published = guarantee.published.front();
-  return record;
-}
 
 }  // namespace ar3d

@@ -47,7 +47,8 @@ struct PlannedInstance {
 
 CurveKey curve_of(const PlannedInstance& instance, const PlannedRun& run);
 
-/// Returns the graph of an instance. Of a corpus with requested_n below the graph's n: the piece of
+/// Returns the graph of an instance; of a corpus its labels are permuted by the seed where the
+/// parameters say so. Of a corpus with requested_n below the graph's n: the piece of
 /// it that a breadth-first search finds first.
 /// @throws InputError if the family has no such graph.
 Graph graph_of(const PlannedInstance& instance);
@@ -59,47 +60,41 @@ void set_seed_and_keys(std::uint64_t study_seed, PlannedInstance& instance);
 /// Returns the number of runs that a study is not complete without.
 std::size_t required_runs(const PlannedInstance& instance);
 
-/// Describes instances that differ in their index only, and hence in seed and keys. Those of a
-/// corpus are graphs of the same n that follow each other in its order.
+/// Describes instances that follow each other and differ in their index only, and hence in seed and
+/// keys.
 struct PlannedBlock {
-  PlannedInstance first;  ///< its runs have keys only if is_explicit
-  std::size_t step = 1;   ///< between the indices of two neighbours, or their places in the corpus
-  std::size_t count = 1;
-  std::size_t first_in_corpus = 0;  ///< place of the first instance in the corpus's order
-  /// Holds, of a shard, the places in the corpus's order that the places above count; null: all.
-  std::shared_ptr<const std::vector<std::uint32_t>> taken = {};
+  /// Holds the first of them. Its runs have no keys, unless it stands alone and as it is.
+  PlannedInstance first;
+  std::size_t count = 0;
   std::size_t first_place = 0;  ///< of the first instance among all
   std::size_t first_row = 0;    ///< of the first instance's first run
-  bool is_explicit = false;     ///< one instance whose seed and keys stand as they are
 };
 
-/// Represents the instances of a plan in order. They are kept as blocks and made when asked for, so
-/// that a million of them cost no more than one.
+/// Represents the instances of a plan in order: blocks, and the index of every instance. An instance
+/// is made when it is asked for. Memory: 4 bytes an instance.
 class PlannedInstances {
  public:
   explicit PlannedInstances(std::uint64_t study_seed = 0) : study_seed_(study_seed) {}
 
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return indices_.size(); }
   std::size_t rows() const { return rows_; }
   /// Makes an instance afresh by every call: about 1 us per row. @pre place < size().
   PlannedInstance operator[](std::size_t place) const;
   const std::vector<PlannedBlock>& blocks() const { return blocks_; }
-  const PlannedBlock& block_of_place(std::size_t place) const;
-  const PlannedBlock& block_of_row(std::size_t row) const;
 
-  /// Appends a block; its places and rows are numbered here.
-  void append(PlannedBlock block);
+  /// Begins a block with the first of its instances. @pre it has runs.
+  void push_back(PlannedInstance first);
+  /// Appends to the last block an instance that differs from its first one in this index.
+  void add(std::uint32_t index);
   /// Returns, of these instances, place `first` and every n-th after it. @pre first < n.
   PlannedInstances every_nth(std::size_t first, std::size_t n) const;
   /// Returns one of n parts. Where the graph of a file goes is a function of the file's graphs and
   /// its number there, so that files that come move none; others are dealt out in turn. @pre
-  /// part < n. Memory: 4 bytes a graph.
+  /// part < n.
   PlannedInstances part_of(std::size_t part, std::size_t n) const;
-  /// Appends one instance, as it stands except for the numbers of its rows.
-  void push_back(PlannedInstance instance);
 
   auto begin() const { return iterator(0); }
-  auto end() const { return iterator(size_); }
+  auto end() const { return iterator(size()); }
 
  private:
   boost::transform_iterator<std::function<PlannedInstance(std::size_t)>,
@@ -109,11 +104,12 @@ class PlannedInstances {
             [this](std::size_t i) { return (*this)[i]; }};
   }
 
-  void append_every_nth(PlannedBlock block, std::size_t skipped, std::size_t n);
+  PlannedInstances those(
+      const std::function<bool(const PlannedBlock& block, std::size_t place)>& is_taken) const;
 
   std::uint64_t study_seed_;
   std::vector<PlannedBlock> blocks_;
-  std::size_t size_ = 0;
+  std::vector<std::uint32_t> indices_;  // by place
   std::size_t rows_ = 0;
 };
 
@@ -130,15 +126,11 @@ struct StudyPlan {
   std::size_t rows() const { return instances.rows(); }
 };
 
-/// Returns the record of /algorithms of a choice.
-AlgorithmRecord algorithm_record(const AlgorithmChoice& choice);
-
 /// Leaves out an algorithm where the family's graphs pass its maximum degree (found by generating
 /// one of at most 1000 vertices) or n passes spec.max_n. Graphs of files that pass a maximum degree
 /// are planned: their rows say `refused`.
 /// @throws InputError if nothing is left or there are more than 10^7 rows; as corpora_of.
-/// Memory: that of the families and sizes, whatever the number of instances; for graphs of files
-/// see Corpus.
+/// Memory: that of the families and sizes, and 4 bytes an instance; for graphs of files see Corpus.
 StudyPlan plan_study(const Study& study);
 
 /// Returns true if a run of the instance is of a phase that is meant.
@@ -146,10 +138,8 @@ bool has_run(const PlannedInstance& instance, const std::function<bool(RunPhase)
 /// Returns true if any instance of the plan has one.
 bool has_run(const StudyPlan& plan, const std::function<bool(RunPhase)>& is_meant);
 
-/// Returns the work that a row is, in a unit that is roughly proportional to time.
-double work_of_row(const PlannedInstance& instance);
-/// Returns the work of all its rows.
-double work_of_instance(const PlannedInstance& instance);
+/// Returns the work that a row of n vertices is, in a unit that is roughly proportional to time.
+double work_of_row(std::uint64_t n);
 
 /// Returns the places of plan.instances, the most costly first, so that no large one is left to the
 /// end; equally costly ones in the plan's order.

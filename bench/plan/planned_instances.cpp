@@ -14,10 +14,13 @@
 #include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
+#include "ar3d/generators/random_graphs.h"
 #include "ar3d/store/columns/study_identity.h"
 
 namespace ar3d {
 namespace {
+
+constexpr std::uint64_t kShuffleStream = 0x73687566666c65;  // "shuffle", as the families have it
 
 // Not with one format string: this is done for every row, and costs a third so. Nor by letting the
 // text grow step by step.
@@ -38,9 +41,9 @@ std::string instance_identity(const PlannedInstance& instance) {
   text.reserve(kUsualText);
   std::uint32_t index = instance.index, copy = 0;
   if (const auto& corpus = instance.choice.corpus) {  // whatever the file is called
-    const CollectedFile& file = corpus->graphs->file_at(index);
+    const CollectedFile& file = corpus->file_at(index);
     append_line(text, "graphs", file.hash);
-    copy = corpus->graphs->copy_at(index);
+    copy = corpus->copy_at(index);
     index -= static_cast<std::uint32_t>(file.first);
   } else {
     append_line(text, "family", instance.choice.family->name);
@@ -72,14 +75,6 @@ std::string row_key(const std::string& prefix, const PlannedRun& run) {
   return content_hash(text);
 }
 
-// The last part that begins at `wanted` or before; the parts stand in order.
-template <class Parts, class First>
-const auto& last_from(const Parts& parts, std::size_t wanted, const First& first) {
-  return *std::prev(
-      std::upper_bound(parts.begin(), parts.end(), wanted,
-                       [&](std::size_t at, const auto& part) { return at < first(part); }));
-}
-
 }  // namespace
 
 Graph graph_of(const PlannedInstance& instance) {
@@ -87,7 +82,11 @@ Graph graph_of(const PlannedInstance& instance) {
   if (!choice.corpus) {
     return generate(*choice.family, instance.requested_n, instance.seed, choice.parameters);
   }
-  Graph graph = corpus_graph(choice, instance.index, instance.seed);
+  Graph graph = choice.corpus->graph(instance.index);
+  if (std::ranges::count(choice.parameters, "shuffle", &Setting::name) > 0) {
+    RandomStream random(instance.seed, kShuffleStream);
+    graph = shuffled_labels(graph, random);
+  }
   if (instance.requested_n >= graph.num_vertices()) return graph;
   return breadth_first_piece(graph, instance.requested_n);
 }
@@ -109,93 +108,62 @@ std::size_t required_runs(const PlannedInstance& instance) {
 }
 
 PlannedInstance PlannedInstances::operator[](std::size_t place) const {
-  const PlannedBlock& block = block_of_place(place);
-  const std::size_t within = place - block.first_place;
+  expect(place < size(), "a plan has that instance");
+  const PlannedBlock& block =
+      *std::prev(std::ranges::upper_bound(blocks_, place, {}, &PlannedBlock::first_place));
   PlannedInstance instance = block.first;
-  std::size_t row = block.first_row + within * instance.runs.size();
+  std::size_t row = block.first_row + (place - block.first_place) * instance.runs.size();
   for (PlannedRun& run : instance.runs) run.row = row++;
-  if (block.is_explicit) return instance;
-  if (const auto& corpus = instance.choice.corpus) {
-    const std::size_t at = block.first_in_corpus + within * block.step;
-    instance.index = corpus->graphs->place(block.taken ? (*block.taken)[at] : at);
-  } else {
-    instance.index += static_cast<std::uint32_t>(within * block.step);  // at most 10^7 instances
-  }
-  set_seed_and_keys(study_seed_, instance);
+  instance.index = indices_[place];
+  if (instance.runs.front().row_key.empty()) set_seed_and_keys(study_seed_, instance);
   return instance;
 }
 
-const PlannedBlock& PlannedInstances::block_of_place(std::size_t place) const {
-  expect(place < size_, "a plan has that instance");
-  return last_from(blocks_, place, [](const PlannedBlock& block) { return block.first_place; });
+void PlannedInstances::push_back(PlannedInstance first) {
+  expect(!first.runs.empty(), "a block of a plan has rows");
+  const std::uint32_t index = first.index;
+  blocks_.push_back({std::move(first), 0, size(), rows_});
+  add(index);
 }
 
-const PlannedBlock& PlannedInstances::block_of_row(std::size_t row) const {
-  expect(row < rows_, "a plan has that row");
-  return last_from(blocks_, row, [](const PlannedBlock& block) { return block.first_row; });
+void PlannedInstances::add(std::uint32_t index) {
+  ++blocks_.back().count;
+  indices_.push_back(index);
+  rows_ += blocks_.back().first.runs.size();
 }
 
-void PlannedInstances::append(PlannedBlock block) {
-  expect(block.count > 0 && !block.first.runs.empty(), "a block of a plan has rows");
-  block.first_place = size_;
-  block.first_row = rows_;
-  size_ += block.count;
-  rows_ += block.count * block.first.runs.size();
-  blocks_.push_back(std::move(block));
-}
-
-// @param skipped  how many instances stand before the first that is taken.
-void PlannedInstances::append_every_nth(PlannedBlock block, std::size_t skipped, std::size_t n) {
-  if (skipped >= block.count) return;
-  block.first.index += static_cast<std::uint32_t>(skipped * block.step);
-  block.first_in_corpus += skipped * block.step;
-  block.count = (block.count - skipped - 1) / n + 1;
-  block.step *= n;
-  append(std::move(block));
-}
-
-PlannedInstances PlannedInstances::every_nth(std::size_t first, std::size_t n) const {
+PlannedInstances PlannedInstances::those(
+    const std::function<bool(const PlannedBlock& block, std::size_t place)>& is_taken) const {
   PlannedInstances part(study_seed_);
   for (const PlannedBlock& block : blocks_) {
-    part.append_every_nth(block, (first + n - block.first_place % n) % n, n);
+    bool has_begun = false;
+    for (std::size_t place = block.first_place; place < block.first_place + block.count; ++place) {
+      if (!is_taken(block, place)) continue;
+      if (has_begun) {
+        part.add(indices_[place]);
+        continue;
+      }
+      part.push_back(block.first);
+      part.blocks_.back().first.index = part.indices_.back() = indices_[place];
+      has_begun = true;
+    }
   }
   return part;
 }
 
-PlannedInstances PlannedInstances::part_of(std::size_t part, std::size_t n) const {
-  PlannedInstances instances(study_seed_);
-  std::size_t dealt = 0;  // of families
-  for (PlannedBlock block : blocks_) {
-    const auto& corpus = block.first.choice.corpus;
-    if (!corpus) {
-      instances.append_every_nth(block, (part + n - dealt % n) % n, n);
-      dealt += block.count;
-      continue;
-    }
-    auto taken = std::make_shared<std::vector<std::uint32_t>>();
-    for (std::size_t i = 0; i < block.count; ++i) {
-      const std::size_t at = block.first_in_corpus + i * block.step;
-      const std::uint32_t place = corpus->graphs->place(at);
-      const CollectedFile& file = corpus->graphs->file_at(place);
-      const std::uint64_t number = place - static_cast<std::uint64_t>(file.first);
-      const std::uint64_t of_file = XXH3_64bits(file.hash.data(), file.hash.size()) % n;
-      if ((of_file + number) % n == part) taken->push_back(static_cast<std::uint32_t>(at));
-    }
-    if (taken->empty()) continue;
-    block.count = taken->size();
-    block.first_in_corpus = 0;
-    block.step = 1;
-    block.taken = std::move(taken);
-    instances.append(std::move(block));
-  }
-  return instances;
+PlannedInstances PlannedInstances::every_nth(std::size_t first, std::size_t n) const {
+  return those([=](const PlannedBlock&, std::size_t place) { return place % n == first; });
 }
 
-void PlannedInstances::push_back(PlannedInstance instance) {
-  PlannedBlock block;
-  block.first = std::move(instance);
-  block.is_explicit = true;
-  append(std::move(block));
+PlannedInstances PlannedInstances::part_of(std::size_t part, std::size_t n) const {
+  std::size_t dealt = 0;  // of families
+  return those([&, this](const PlannedBlock& block, std::size_t place) {
+    const auto& corpus = block.first.choice.corpus;
+    if (!corpus) return dealt++ % n == part;
+    const CollectedFile& file = corpus->file_at(indices_[place]);
+    const std::uint64_t number = indices_[place] - static_cast<std::uint64_t>(file.first);
+    return (XXH3_64bits(file.hash.data(), file.hash.size()) % n + number) % n == part;
+  });
 }
 
 bool has_run(const PlannedInstance& instance, const std::function<bool(RunPhase)>& is_meant) {
@@ -211,20 +179,15 @@ bool has_run(const StudyPlan& plan, const std::function<bool(RunPhase)>& is_mean
 
 // Drawing is linear in n; certifying, which takes most of the time, sorts. The constant is what a
 // row of no vertices takes.
-double work_of_row(const PlannedInstance& instance) {
-  const auto n = static_cast<double>(instance.n);
-  return 200 + n * std::log2(n + 1);
-}
-
-double work_of_instance(const PlannedInstance& instance) {
-  return work_of_row(instance) * static_cast<double>(instance.runs.size());
+double work_of_row(std::uint64_t n) {
+  return 200 + static_cast<double>(n) * std::log2(static_cast<double>(n) + 1);
 }
 
 std::vector<std::uint32_t> largest_first(const StudyPlan& plan) {
   std::vector<const PlannedBlock*> blocks;
   for (const PlannedBlock& block : plan.instances.blocks()) blocks.push_back(&block);
   std::ranges::stable_sort(blocks, std::greater(), [](const PlannedBlock* block) {
-    return work_of_instance(block->first);
+    return work_of_row(block->first.n) * static_cast<double>(block->first.runs.size());
   });
   std::vector<std::uint32_t> places;
   places.reserve(plan.instances.size());

@@ -122,17 +122,4 @@ std::vector<std::size_t> sample_of_rows(const std::vector<RunRecord>& rows, std:
   return places;
 }
 
-SelfCheck selfcheck(const std::vector<RunRecord>& rows, const std::vector<std::size_t>& places,
-                    const StudyOrigin& origin, const std::function<void(std::size_t)>& after_each) {
-  SelfCheck check;
-  for (const std::size_t place : places) {
-    const RunRecord now = replayed(rows[place], origin);
-    if (now.status == RunStatus::violated) ++check.violated;
-    std::vector<std::string> columns = differing_columns(rows[place], now);
-    if (!columns.empty()) check.irreproducible.emplace(place, std::move(columns));
-    if (after_each) after_each(place);
-  }
-  return check;
-}
-
 }  // namespace ar3d

@@ -45,25 +45,11 @@ Drawing redrawn(const RunRecord& row, const StudyOrigin& origin = {});
 /// @throws InputError as plan_of_row.
 RunRecord replayed(const RunRecord& row, const StudyOrigin& origin = {});
 
-/// Holds how rows that were made again came out.
-struct SelfCheck {
-  std::size_t violated = 0;
-  /// Holds the columns that are not the same, by the row's place in Results::runs.
-  std::map<std::size_t, std::vector<std::string>> irreproducible;
-};
-
 /// Returns the places of `count` rows drawn at random without replacement, increasing; all if there
 /// are fewer. A function of the seed and the rows. Rows that no replay can reproduce (timeout,
 /// out_of_memory, crashed) are not drawn.
 std::vector<std::size_t> sample_of_rows(const std::vector<RunRecord>& rows, std::size_t count,
                                         std::uint64_t seed);
-
-/// Makes the rows at those places again and compares every column that is not measured, bit by bit.
-/// @param after_each  told the place of every row that has been made again; may be empty.
-/// @throws InputError as replayed.
-SelfCheck selfcheck(const std::vector<RunRecord>& rows, const std::vector<std::size_t>& places,
-                    const StudyOrigin& origin = {},
-                    const std::function<void(std::size_t)>& after_each = {});
 
 /// Holds how it went.
 struct KeptOutcome {

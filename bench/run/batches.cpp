@@ -150,22 +150,22 @@ class BatchDrawer {
 
   // Of r ranks, rank i draws the i-th row and every r-th after it; ranks stay where mpirun has put
   // them. Nothing is sent while they draw. Called on rank 0, whose clock their time is taken
-  // from (DoneAtOnce). @throws InternalError what went wrong on a rank.
+  // from (Ranks::at_once). @throws InternalError what went wrong on a rank.
   std::vector<RunRecord> shared_by_ranks(Ranks& ranks, int count, std::size_t place,
                                          const std::vector<std::size_t>& rows) {
     const std::string job = fmt::format("{} {} {}", count, place, fmt::join(rows, " "));
-    const DoneAtOnce done =
+    const auto& [wall_s, told] =
         ranks.at_once(count, job, [&](const std::string& text) { return make_ready(text); });
     std::vector<RunRecord> made(rows.size());
     for (int rank = 0; rank < count; ++rank) {
-      const std::string& text = done.told[static_cast<std::size_t>(rank)];
+      const std::string& text = told[static_cast<std::size_t>(rank)];
       const std::vector<std::size_t> places = places_of_rank(rank, count, rows.size());
       const std::size_t size = row_message_size();
       expect(text.size() == places.size() * size, "a rank tells its rows");
       for (std::size_t i = 0; i < places.size(); ++i) {
         const std::string_view bytes(text.data() + i * size, size);
         expect(read_row_message(bytes, made[places[i]]) == kDrawn, "a rank tells its rows whole");
-        made[places[i]].batch_s = done.wall_s;
+        made[places[i]].batch_s = wall_s;
       }
     }
     return made;
@@ -233,85 +233,70 @@ std::vector<std::map<std::uint32_t, Batches>> batched_drawings(const PlannedInst
   return drawings;
 }
 
-// All batches of one instance.
-class InstanceBatches {
- public:
-  /// @param place  of the instance in the plan.
-  InstanceBatches(const PlannedInstance& instance, std::size_t place, StudySession& session,
-                  BatchDrawer& drawer)
-      : instance_(instance), place_(place), session_(session), drawer_(drawer) {}
+std::vector<RunRecord> drawn(RunPhase phase, int scale, std::size_t place,
+                             const std::vector<std::size_t>& rows, StudySession& session,
+                             BatchDrawer& drawer) {
+  if (!is_over_ranks(phase)) return drawer.shared_by_threads(scale, place, rows);
+  Ranks alone;
+  Ranks* const ranks = session.policy().ranks;
+  return drawer.shared_by_ranks(ranks != nullptr ? *ranks : alone, scale, place, rows);
+}
 
-  void run() {
-    for (const auto& rounds : batched_drawings(instance_)) {
-      std::optional<RunRecord> reference;
-      for (const auto& [number, batches] : rounds) {
-        if (session_.stopped()) return;
-        if (!any_wanted(batches)) continue;
-        if (!reference) reference = certified(instance_.runs[batches.begin()->second.front()]);
-        run_round(batches, *reference);
+// The batches of one number, by growing scale.
+void make_round(const PlannedInstance& instance, std::size_t place, const Batches& batches,
+                const RunRecord& reference, StudySession& session, BatchDrawer& drawer) {
+  const RunPhase phase = instance.runs[batches.begin()->second.front()].phase;
+  const auto emit = [&](const PlannedRun& run, const RunRecord& row) {
+    if (session.wants(run)) session.add(run, row);
+  };
+  double single_s = kMissing;
+  for (const auto& [scale, rows] : batches) {
+    if (session.stopped()) return;
+    if (!is_drawn(reference)) {
+      for (const std::size_t i : rows) {
+        emit(instance.runs[i], failed_row(instance, instance.runs[i], reference));
       }
+      continue;
+    }
+    std::vector<RunRecord> made =
+        drawn(phase, static_cast<int>(scale), place, rows, session, drawer);
+    if (session.stopped()) return;  // it may not have been drawn to its end
+    if (scale == 1) single_s = made.front().batch_s;
+    const double ideal_s = is_strong(phase) ? single_s / static_cast<double>(scale) : single_s;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const PlannedRun& run = instance.runs[rows[i]];
+      RunRecord& row = made[i];
+      row.row_key = run.row_key;
+      row.repetition = run.repetition;
+      row.concurrency = scale;
+      row.ideal_batch_s = ideal_s;
+      row.efficiency = ideal_s / row.batch_s;
+      take_over_certificate(reference, row);
+      emit(run, row);
     }
   }
+}
 
- private:
-  bool any_wanted(const Batches& batches) const {
-    return std::any_of(batches.begin(), batches.end(), [&](const auto& batch) {
-      return std::any_of(batch.second.begin(), batch.second.end(),
-                         [&](std::size_t i) { return session_.wants(instance_.runs[i]); });
-    });
-  }
-
-  // The drawing certified, outside every batch; or how it failed.
-  RunRecord certified(const PlannedRun& run) {
-    if (std::optional<RunRecord> failed = session_.failure(instance_, run)) return *failed;
-    return drawer_.maker_for(place_).make_row(run);
-  }
-
-  void run_round(const Batches& batches, const RunRecord& reference) {
-    const RunPhase phase = instance_.runs[batches.begin()->second.front()].phase;
-    double single_s = kMissing;
-    for (const auto& [scale, rows] : batches) {
-      if (session_.stopped()) return;
-      if (!is_drawn(reference)) {
-        for (const std::size_t i : rows) {
-          emit(instance_.runs[i], failed_row(instance_, instance_.runs[i], reference));
-        }
-        continue;
+// All batches of the instance at that place of the plan.
+void make_batches_of(std::size_t place, StudySession& session, BatchDrawer& drawer) {
+  const PlannedInstance instance = session.plan().instances[place];
+  const auto wants = [&](std::size_t i) { return session.wants(instance.runs[i]); };
+  for (const auto& rounds : batched_drawings(instance)) {
+    std::optional<RunRecord> reference;  // certified outside every batch, or its failure
+    for (const auto& [number, batches] : rounds) {
+      if (session.stopped()) return;
+      const bool any_wanted = std::ranges::any_of(
+          batches, [&](const auto& batch) { return std::ranges::any_of(batch.second, wants); });
+      if (!any_wanted) continue;
+      if (!reference) {
+        const PlannedRun& run = instance.runs[batches.begin()->second.front()];
+        reference = session.failure(instance, run);
+        if (!reference) reference = drawer.maker_for(place).make_row(run);
       }
-      std::vector<RunRecord> made = drawn(phase, static_cast<int>(scale), rows);
-      if (session_.stopped()) return;  // it may not have been drawn to its end
-      if (scale == 1) single_s = made.front().batch_s;
-      const double ideal_s = is_strong(phase) ? single_s / static_cast<double>(scale) : single_s;
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        const PlannedRun& run = instance_.runs[rows[i]];
-        RunRecord& row = made[i];
-        row.row_key = run.row_key;
-        row.repetition = run.repetition;
-        row.concurrency = scale;
-        row.ideal_batch_s = ideal_s;
-        row.efficiency = ideal_s / row.batch_s;
-        take_over_certificate(reference, row);
-        emit(run, row);
-      }
+      make_round(instance, place, batches, *reference, session, drawer);
     }
   }
-
-  std::vector<RunRecord> drawn(RunPhase phase, int scale, const std::vector<std::size_t>& rows) {
-    if (!is_over_ranks(phase)) return drawer_.shared_by_threads(scale, place_, rows);
-    Ranks alone;
-    Ranks* const ranks = session_.policy().ranks;
-    return drawer_.shared_by_ranks(ranks != nullptr ? *ranks : alone, scale, place_, rows);
-  }
-
-  void emit(const PlannedRun& run, const RunRecord& row) {
-    if (session_.wants(run)) session_.add(run, row);
-  }
-
-  const PlannedInstance& instance_;
-  const std::size_t place_;
-  StudySession& session_;
-  BatchDrawer& drawer_;
-};
+}
 
 }  // namespace
 
@@ -327,9 +312,7 @@ void make_batches(StudySession& session) {
     if (!has_run(block.first, is_batched)) continue;
     for (std::size_t i = 0; i < block.count; ++i) {
       if (session.stopped()) return;
-      const std::size_t place = block.first_place + i;
-      const PlannedInstance instance = plan.instances[place];
-      InstanceBatches(instance, place, session, drawer).run();
+      make_batches_of(block.first_place + i, session, drawer);
     }
   }
 }

@@ -23,7 +23,10 @@ std::vector<AlgorithmRecord> algorithms_of(const StudySpec& spec) {
   for (const Sweep& sweep : spec.sweeps) {
     for (const AlgorithmChoice& choice : sweep.algorithms) {
       if (!choice.algorithm->is_judged) continue;
-      const AlgorithmRecord record = algorithm_record(choice);
+      const Guarantee& guarantee = choice.algorithm->guarantee;
+      AlgorithmRecord record{
+          choice.algorithm->name, settings_text(choice.options), guarantee.bound, {}};
+      if (!guarantee.published.empty()) record.published = guarantee.published.front();
       records.try_emplace({record.algorithm, record.options}, record);
     }
   }
@@ -40,7 +43,7 @@ HeldGraphs graphs_to_hold(const StudySpec& spec, const std::vector<StudyCorpus>&
   HeldGraphs held;
   double bytes = 0;
   for (const StudyCorpus& corpus : corpora) {
-    const Corpus& graphs = *corpus.corpus->graphs;
+    const Corpus& graphs = *corpus.corpus;
     std::map<std::uint32_t, std::string> lines;
     double own = 0;
     for (std::size_t i = 0; i < graphs.size() && bytes + own <= spec.graphs_bytes; ++i) {
@@ -106,7 +109,7 @@ std::string notes_text(const std::vector<StudyCorpus>& corpora) {
   std::vector<std::string> notes;
   std::set<const Corpus*> told;
   for (const StudyCorpus& corpus : corpora) {
-    const Corpus* const graphs = corpus.corpus->graphs.get();
+    const Corpus* const graphs = corpus.corpus.get();
     if (!told.insert(graphs).second) continue;
     for (const std::string& note : graphs->notes()) notes.push_back(printable(note));
   }
@@ -126,11 +129,11 @@ std::vector<StoredTable> side_tables_of(const Study& study) {
   for (const StudyCorpus& corpus : corpora) {
     files.push_back(corpus.record);
     if (!known.insert(corpus.record.name).second) continue;  // the same in another sweep
-    for (CollectedFile file : corpus.corpus->graphs->files()) {
+    for (CollectedFile file : corpus.corpus->files()) {
       file.name = corpus.record.name;
       collected.push_back(std::move(file));
     }
-    for (SkippedFile file : corpus.corpus->graphs->skipped()) {
+    for (SkippedFile file : corpus.corpus->skipped()) {
       file.name = corpus.record.name;
       skipped.push_back(std::move(file));
     }

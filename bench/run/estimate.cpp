@@ -30,40 +30,39 @@ std::uint64_t calibration_size(std::uint64_t largest) {
   return std::min(largest, std::clamp(largest / 30, kUsual, kMost));
 }
 
-using Law = std::function<double(std::uint64_t n)>;
-
-// Value at the larger calibration size * (n / that size)^exponent.
-Law law_through(double n1, double value1, double n2, double value2) {
-  double exponent = 1;
-  if (n2 > n1 && value1 > 0 && value2 > 0) {
-    exponent = std::clamp(std::log(value2 / value1) / std::log(n2 / n1), 1.0, 2.5);
-  }
-  return [=, size = std::max(n2, 1.0)](std::uint64_t n) {
-    return value2 * std::pow(static_cast<double>(std::max<std::uint64_t>(n, 1)) / size, exponent);
-  };
-}
-
-struct CostModel {
-  bool is_known = false;
-  Law row_s = [](std::uint64_t) { return 0.0; };
-  Law draw_s = row_s;
-  double bytes_per_vertex = 0;
-};
-
-struct Measured {
+// What a row of n vertices takes; no time at all if that is unknown.
+struct RowCosts {
   double n = 0;
   double row_s = 0;
   double draw_s = 0;
   double bytes = 0;
 };
+using CostModel = std::function<RowCosts(std::uint64_t n)>;
+
+// Times at the larger calibration size * (n / that size)^exponent.
+CostModel model_through(const RowCosts& small, const RowCosts& large) {
+  const auto exponent = [&](double RowCosts::*value) {
+    if (large.n <= small.n || small.*value <= 0 || large.*value <= 0) return 1.0;
+    return std::clamp(std::log(large.*value / (small.*value)) / std::log(large.n / small.n), 1.0,
+                      2.5);
+  };
+  return [large, of_row = exponent(&RowCosts::row_s),
+          of_drawing = exponent(&RowCosts::draw_s)](std::uint64_t wanted) {
+    const auto n = static_cast<double>(wanted);
+    const double size = std::max(large.n, 1.0), ratio = std::max(n, 1.0) / size;
+    return RowCosts{n, large.row_s * std::pow(ratio, of_row),
+                    large.draw_s * std::pow(ratio, of_drawing),
+                    std::max(0.0, large.bytes) / size * n};
+  };
+}
 
 // The better of two goes, the first of which pays for cold caches, unless that is nothing beside
 // it. CPU time, since what else runs now says nothing about when the study runs.
-Measured measured_here(const PlannedInstance& instance, const PlannedRun& run,
+RowCosts measured_here(const PlannedInstance& instance, const PlannedRun& run,
                        const Budget& budget) {
   constexpr double kLong_s = 1;
   const OneThread one_thread;
-  Measured best;
+  RowCosts best;
   best.row_s = std::numeric_limits<double>::infinity();
   for (int go = 0; go < 2 && (go == 0 || best.row_s < kLong_s); ++go) {
     malloc_trim(0);  // else what is freed hides what is used
@@ -100,13 +99,13 @@ std::string passed(RunStatus end, const Budget& budget, std::uint64_t n) {
 // In a process of its own, which may use twice what the study gives such a row: where that does not
 // do, the row is impossible. Smaller rows of the same kind may be possible; the plan has larger
 // ones.
-Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::uint64_t requested_n,
+RowCosts measured_at(const PlannedInstance& like, const PlannedRun& run, std::uint64_t requested_n,
                      const Budget& budget) {
   PlannedInstance instance = like;
   instance.requested_n = requested_n;
   if (const auto& corpus = like.choice.corpus) {  // one of that size, or a piece of a larger one
     const std::uint32_t limit = run.choice.algorithm->guarantee.max_degree;
-    instance.index = corpus->graphs->place(corpus->graphs->first_of_size(requested_n, limit));
+    instance.index = corpus->place(corpus->first_of_size(requested_n, limit));
   }
   const std::uint64_t n = like.choice.family->nearest_n(requested_n, like.choice.parameters);
   std::optional<double> cpu_s;
@@ -115,8 +114,8 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
   if (budget.row_memory_bytes) {
     memory_bytes = std::min(memory_bytes, 2 * (*budget.row_memory_bytes)(n));
   }
-  Measured measured;
-  static_assert(std::is_trivially_copyable_v<Measured>);
+  RowCosts measured;
+  static_assert(std::is_trivially_copyable_v<RowCosts>);
   const RunStatus end = run_within(cpu_s, memory_bytes, bytes_in(measured),
                                    [&] { measured = measured_here(instance, run, budget); });
   if (end == RunStatus::ok) return measured;
@@ -129,18 +128,16 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
 
 CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std::uint64_t largest,
                      const Budget& budget) {
-  if (run.choice.algorithm->is_foreign) return {};  // what a program costs is not known before
+  // What a program costs is not known before.
+  if (run.choice.algorithm->is_foreign) return model_through({}, {});
   const std::uint64_t size = calibration_size(largest);
   const std::uint64_t smaller = std::max<std::uint64_t>(1, size / kSizeRatio);
-  const Measured small = measured_at(instance, run, smaller, budget);
+  const RowCosts small = measured_at(instance, run, smaller, budget);
   const auto n_of = [&](std::uint64_t wanted) {
     return instance.choice.family->nearest_n(wanted, instance.choice.parameters);
   };
-  const Measured large =
-      n_of(size) == n_of(smaller) ? small : measured_at(instance, run, size, budget);
-  return {large.row_s > 0, law_through(small.n, small.row_s, large.n, large.row_s),
-          law_through(small.n, small.draw_s, large.n, large.draw_s),
-          large.n > 0 ? std::max(0.0, large.bytes) / large.n : 0};
+  return model_through(
+      small, n_of(size) == n_of(smaller) ? small : measured_at(instance, run, size, budget));
 }
 
 class Estimator {
@@ -203,14 +200,14 @@ class Estimator {
     const CurveKey curve = curve_of(instance, run);
     const auto [at, is_new] = places_.try_emplace({curve, instance.n}, result_.cells.size());
     if (is_new) {
-      const CostModel& costs = model_of(curve, instance, run);
+      const RowCosts costs = model_of(curve, instance, run)(instance.n);
       CellEstimate cell;
       cell.curve = curve;
       cell.n = instance.n;
-      cell.is_known = costs.is_known;
-      cell.row_s = costs.row_s(cell.n);
-      cell.draw_s = costs.draw_s(cell.n);
-      cell.row_bytes = costs.bytes_per_vertex * static_cast<double>(cell.n);
+      cell.is_known = costs.row_s > 0;
+      cell.row_s = costs.row_s;
+      cell.draw_s = costs.draw_s;
+      cell.row_bytes = costs.bytes;
       result_.largest_row_bytes = std::max(result_.largest_row_bytes, cell.row_bytes);
       result_.cells.push_back(std::move(cell));
     }
@@ -229,13 +226,13 @@ class Estimator {
     if (alike.size() >= kMost) {
       return **std::max_element(alike.begin(), alike.end(),
                                 [&](const CostModel* a, const CostModel* b) {
-                                  return a->row_s(instance.n) < b->row_s(instance.n);
+                                  return (*a)(instance.n).row_s < (*b)(instance.n).row_s;
                                 });
     }
     const CostModel& model =
         models_.emplace(curve, calibrated(instance, run, largest_.at(curve), plan_.budget))
             .first->second;
-    if (model.is_known) {
+    if (model(1).row_s > 0) {
       result_.calibration_n = std::max(result_.calibration_n, calibration_size(largest_.at(curve)));
     }
     alike.push_back(&model);

@@ -77,10 +77,21 @@ struct RowJob {
 /// Hands out the rows of a phase and takes them back. Called from several threads at once.
 class RowSource {
  public:
-  explicit RowSource(StudySession& session) : session_(session) {}
+  /// @param workers  that make its rows. @param elsewhere  workers of other processes of the study at
+  /// the same time. @param cores  of each worker; empty: none is pinned.
+  RowSource(StudySession& session, int workers, int elsewhere, std::vector<int> cores)
+      : session_(session), workers_(workers), elsewhere_(elsewhere), cores_(std::move(cores)) {}
   virtual ~RowSource() = default;
+  int workers() const { return workers_; }
   /// Returns the session whose rows these are.
   StudySession& session() const { return session_; }
+  /// Returns how that worker makes rows.
+  Circumstances circumstances(int worker, MemoryScope memory) const {
+    return {.concurrency = workers_ + elsewhere_,
+            .core = cores_.empty() ? -1 : cores_.at(static_cast<std::size_t>(worker)),
+            .memory = memory,
+            .certify_memory_bytes = session_.plan().budget.certify_memory_bytes};
+  }
   /// Returns the next row for the worker of that number; nothing: there is no more for it.
   virtual std::optional<RowJob> next(int worker) = 0;
   /// Takes a row that was handed out. What it throws ends the phase and is passed on.
@@ -88,18 +99,14 @@ class RowSource {
 
  private:
   StudySession& session_;
-};
-
-/// Says who makes the rows of a phase: threads of this process, or processes of their own.
-struct WorkerPool {
-  int workers = 1;
-  int elsewhere = 0;            ///< workers of other processes of the study at the same time
-  std::vector<int> cores = {};  ///< core of each; empty: none is pinned
+  const int workers_;
+  const int elsewhere_;
+  const std::vector<int> cores_;
 };
 
 /// Makes all rows of a source: in threads of this process, the calling one among them, or by
 /// work_in_processes if the policy asks for it or rows have limits.
-void execute(RowSource& source, const WorkerPool& pool);
+void execute(RowSource& source);
 
 /// Makes all rows of a source in processes of their own, so that a crash, a timeout or too much
 /// memory costs one row: it gets the status, the process is replaced, the others go on. Rows have
@@ -107,7 +114,7 @@ void execute(RowSource& source, const WorkerPool& pool);
 /// process outlives the call, nor a worker the caller's process; what a worker that has ended
 /// leaves in its group ends at once, and what its programs leave in any. To be called while no
 /// other thread runs.
-void work_in_processes(RowSource& source, const WorkerPool& pool);
+void work_in_processes(RowSource& source);
 
 /// Returns whether there are rounds enough: how far the median of the first half of the values is
 /// from that of the second (of an even number the upper one). Infinite for fewer than two.

@@ -24,53 +24,46 @@ double halves_difference(std::span<const double> values) {
 
 namespace {
 
-std::vector<const PlannedRun*> runs_in_order(const PlannedInstance& instance,
-                                             const StudySession& session) {
-  std::vector<const PlannedRun*> runs;
-  for (const PlannedRun& run : instance.runs) {
-    if (run.phase == RunPhase::metrics && session.wants(run)) runs.push_back(&run);
-  }
-  std::stable_sort(runs.begin(), runs.end(), [](const PlannedRun* a, const PlannedRun* b) {
-    return a->repetition < b->repetition;
-  });
-  return runs;
-}
-
 class MetricsSource final : public RowSource {
  public:
   explicit MetricsSource(StudySession& session)
-      : RowSource(session), order_(largest_first(session.plan())) {}
+      : RowSource(session, session.policy().workers, session.policy().workers_elsewhere, {}),
+        order_(largest_first(session.plan())) {}
 
   std::optional<RowJob> next(int worker) override {
     const std::lock_guard<std::mutex> lock(mutex_);
-    InstanceInHand& share = shares_[worker];
-    while (share.next == share.runs.size()) {
+    std::deque<RowJob>& jobs = jobs_[worker];
+    while (jobs.empty()) {
       if (begun_ == order_.size()) return std::nullopt;
-      share.place = order_[begun_++];
-      share.instance =
-          std::make_shared<const PlannedInstance>(session().plan().instances[share.place]);
-      share.runs = runs_in_order(*share.instance, session());
-      share.next = 0;
+      const std::size_t place = order_[begun_++];
+      const auto instance =
+          std::make_shared<const PlannedInstance>(session().plan().instances[place]);
+      for (const PlannedRun& run : instance->runs) {
+        if (run.phase == RunPhase::metrics && session().wants(run)) {
+          jobs.push_back({place, instance, &run, {}});
+        }
+      }
+      std::ranges::stable_sort(jobs, {}, [](const RowJob& job) { return job.run->repetition; });
     }
-    return RowJob{share.place, share.instance, share.runs[share.next++], {}};
+    RowJob job = std::move(jobs.front());
+    jobs.pop_front();
+    return job;
   }
 
   void done(const RowJob& job, RunRecord row) override { session().add(*job.run, row); }
 
  private:
-  // The instance that a worker has in hand and what is left to be done with it.
-  struct InstanceInHand {
-    std::size_t place = 0;
-    std::shared_ptr<const PlannedInstance> instance;
-    std::vector<const PlannedRun*> runs;
-    std::size_t next = 0;
-  };
-
   std::mutex mutex_;
   const std::vector<std::uint32_t> order_;
   std::size_t begun_ = 0;
-  std::map<int, InstanceInHand> shares_;
+  std::map<int, std::deque<RowJob>> jobs_;  // of the instance that each worker has in hand
 };
+
+// A system does its own work on the first ones.
+std::vector<int> last_cores(std::uint32_t count) {
+  const std::vector<int> allowed = allowed_cores();
+  return {allowed.rbegin(), allowed.rbegin() + count};
+}
 
 // One drawing's repetitions.
 struct TimedDrawing {
@@ -89,7 +82,10 @@ class TimingSource final : public RowSource {
  public:
   static constexpr double kEnough = 0.95;  // of the drawings
 
-  explicit TimingSource(StudySession& session) : RowSource(session), rules_(session.plan().timing) {
+  explicit TimingSource(StudySession& session)
+      : RowSource(session, static_cast<int>(session.plan().timing.concurrency), 0,
+                  last_cores(session.plan().timing.concurrency)),
+        rules_(session.plan().timing) {
     for (const PlannedBlock& block : session.plan().instances.blocks()) {
       if (!has_run(block.first, [](RunPhase phase) { return phase == RunPhase::timing; })) continue;
       for (std::size_t i = 0; i < block.count; ++i) add_drawings(block.first_place + i);
@@ -240,17 +236,12 @@ class TimingSource final : public RowSource {
 
 void make_metrics(StudySession& session) {
   MetricsSource source(session);
-  const SessionPolicy& policy = session.policy();
-  execute(source, {.workers = policy.workers, .elsewhere = policy.workers_elsewhere, .cores = {}});
+  execute(source);
 }
 
 void make_timing(StudySession& session) {
   TimingSource source(session);
-  const std::uint32_t workers = session.plan().timing.concurrency;
-  const std::vector<int> allowed = allowed_cores();  // a system does its own work on the first ones
-  execute(source, {.workers = static_cast<int>(workers),
-                   .elsewhere = 0,
-                   .cores = {allowed.rbegin(), allowed.rbegin() + workers}});
+  execute(source);
   for (const EnvironmentEntry& entry : source.ending()) session.note(entry);
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ar3d/base/error.h"
@@ -17,12 +18,6 @@ struct Work {
 };
 /// Makes a job ready: whatever is not to be timed.
 using MakeReady = std::function<Work(const std::string& job)>;
-
-/// Describes a job that ranks have done at the same time.
-struct DoneAtOnce {
-  double wall_s = 0;              ///< from the word to begin to the news that the last is done
-  std::vector<std::string> told;  ///< rank by rank
-};
 
 /// Says what a step came to on a rank.
 enum class StepResult { done, failed, journal_full };
@@ -53,8 +48,11 @@ class Ranks {
 
   /// Has, on rank 0, ranks 0 .. count - 1 make a job ready, wait for each other, and do it at the
   /// same time, by rank 0's clock; the others are in help() meanwhile.
-  /// @throws InternalError what went wrong at one of them. @pre count <= size().
-  virtual DoneAtOnce at_once(int count, const std::string& job, const MakeReady& make_ready) {
+  /// @return wall time from the word to begin to the news that the last is done, and what came out
+  /// (Work::tell), rank by rank. @throws InternalError what went wrong at one of them.
+  /// @pre count <= size().
+  virtual std::pair<double, std::vector<std::string>> at_once(int count, const std::string& job,
+                                                              const MakeReady& make_ready) {
     (void)count;
     const Work work = make_ready(job);
     const Stopwatch time;

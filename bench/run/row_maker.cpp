@@ -93,8 +93,8 @@ RunRecord instance_row(const PlannedInstance& instance) {
   run.instance_index = instance.index;
   run.seed = instance.seed;
   if (const auto& corpus = instance.choice.corpus) {
-    run.graph_name = corpus->graphs->graph_name(instance.index);
-    run.group = corpus->graphs->file_at(instance.index).group;
+    run.graph_name = corpus->graph_name(instance.index);
+    run.group = corpus->file_at(instance.index).group;
   }
   return run;
 }
@@ -114,7 +114,7 @@ void set_run(const PlannedRun& planned, RunRecord& run) {
 // A row that no results file could hold (a name that is too long, say) is a bug, but only of this
 // row.
 void mark_if_not_storable(RunRecord& run) {
-  if (attempt(run, [&] { require_storable(run); })) return;
+  if (attempt(run, [&] { record_of(run); })) return;
   run.status = RunStatus::crashed;
   run.counters.clear();
 }

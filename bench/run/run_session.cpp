@@ -19,14 +19,12 @@ namespace {
 bool is_timed(RunPhase phase) { return phase != RunPhase::metrics; }
 bool is_timing(RunPhase phase) { return phase == RunPhase::timing; }
 
-void work(RowSource& source, const WorkerPool& pool, int worker, const std::atomic<bool>& failed) {
+void work(RowSource& source, int worker, const std::atomic<bool>& failed) {
   const OneThread one_thread;
-  const int core = pool.cores.empty() ? -1 : pool.cores.at(static_cast<std::size_t>(worker));
-  const Pinning pinning(core);
-  RowMaker maker({.concurrency = pool.workers + pool.elsewhere,
-                  .core = core,
-                  .memory = pool.workers == 1 ? MemoryScope::row : MemoryScope::process,
-                  .certify_memory_bytes = source.session().plan().budget.certify_memory_bytes});
+  const Circumstances circumstances =
+      source.circumstances(worker, source.workers() == 1 ? MemoryScope::row : MemoryScope::process);
+  const Pinning pinning(static_cast<int>(circumstances.core));
+  RowMaker maker(circumstances);
   std::shared_ptr<const PlannedInstance> prepared;
   while (!failed && !source.session().stopped()) {
     const std::optional<RowJob> job = source.next(worker);
@@ -38,11 +36,11 @@ void work(RowSource& source, const WorkerPool& pool, int worker, const std::atom
 }
 
 // Makes all rows of a source in threads of this process, the calling one among them.
-void work_in_threads(RowSource& source, const WorkerPool& pool) {
+void work_in_threads(RowSource& source) {
   std::atomic<bool> failed = false;
   const auto until_one_fails = [&](std::uint32_t worker) {
     try {
-      work(source, pool, static_cast<int>(worker), failed);
+      work(source, static_cast<int>(worker), failed);
     } catch (...) {
       failed = true;
       throw;
@@ -51,7 +49,7 @@ void work_in_threads(RowSource& source, const WorkerPool& pool) {
   // The main thread's memory would go back to the system between rows, whose pages then come anew.
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
-  in_threads(static_cast<std::uint32_t>(pool.workers), until_one_fails);
+  in_threads(static_cast<std::uint32_t>(source.workers()), until_one_fails);
 }
 
 void require_ranks(const StudyPlan& plan, int ranks) {
@@ -66,12 +64,12 @@ void require_ranks(const StudyPlan& plan, int ranks) {
 
 }  // namespace
 
-void execute(RowSource& source, const WorkerPool& pool) {
+void execute(RowSource& source) {
   const StudySession& session = source.session();
   if (session.policy().isolate || session.plan().budget.limits_rows()) {
-    work_in_processes(source, pool);
+    work_in_processes(source);
   } else {
-    work_in_threads(source, pool);
+    work_in_threads(source);
   }
 }
 

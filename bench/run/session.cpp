@@ -14,39 +14,6 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
-// What is left to do of all phases.
-struct RemainingRows {
-  std::size_t rows = 0;      // that the study is not complete without
-  std::size_t optional = 0;  // that may turn out not to be needed
-  double work = 0;           // of the former
-};
-
-RemainingRows remaining_rows(const StudyPlan& plan, const RowSink& sink) {
-  RemainingRows left;
-  if (!sink.has) {  // without session a million instances for nothing
-    for (const PlannedBlock& block : plan.instances.blocks()) {
-      const std::size_t more = block.count * required_runs(block.first);
-      left.rows += more;
-      left.optional += block.count * block.first.runs.size() - more;
-      left.work += static_cast<double>(more) * work_of_row(block.first);
-    }
-    return left;
-  }
-  for (const PlannedInstance& instance : plan.instances) {
-    for (const PlannedRun& run : instance.runs) {
-      if (sink.has(run.row_key)) continue;
-      ++(run.optional ? left.optional : left.rows);
-      if (!run.optional) left.work += work_of_row(instance);
-    }
-  }
-  return left;
-}
-
-// Work of a row, which the plan knows by its place.
-double work_at(const StudyPlan& plan, std::size_t place) {
-  return work_of_row(plan.instances.block_of_row(place).first);
-}
-
 }  // namespace
 
 // Tells people how far a study is: one line, rewritten in place on a terminal, a new line a minute
@@ -57,7 +24,7 @@ class StudySession::Progress {
       : out_(policy.progress),
         terminal_(out_ != nullptr && isatty(fileno(out_)) == 1),
         name_(policy.name) {
-    if (out_ != nullptr) left_ = remaining_rows(plan, sink);
+    if (out_ != nullptr) count_rows(plan, sink);
   }
 
   // A row of any phase. @param work  0 of an optional one.
@@ -80,6 +47,25 @@ class StudySession::Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void count_rows(const StudyPlan& plan, const RowSink& sink) {
+    if (!sink.has) {  // without session a million instances for nothing
+      for (const PlannedBlock& block : plan.instances.blocks()) {
+        const std::size_t more = block.count * required_runs(block.first);
+        planned_rows_ += more;
+        optional_rows_ += block.count * block.first.runs.size() - more;
+        planned_work_ += static_cast<double>(more) * work_of_row(block.first.requested_n);
+      }
+      return;
+    }
+    for (const PlannedInstance& instance : plan.instances) {
+      for (const PlannedRun& run : instance.runs) {
+        if (sink.has(run.row_key)) continue;
+        ++(run.optional ? optional_rows_ : planned_rows_);
+        if (!run.optional) planned_work_ += work_of_row(instance.requested_n);
+      }
+    }
+  }
+
   void print(Clock::time_point now) {
     last_ = now;
     const std::string text = line(std::chrono::duration<double>(now - start_).count());
@@ -88,13 +74,13 @@ class StudySession::Progress {
   }
 
   std::string line(double elapsed_s) const {
-    std::string text = fmt::format("study {}: {} of {}", name_, rows_, left_.rows);
-    if (left_.optional > 0) text += fmt::format(" to {}", left_.rows + left_.optional);
+    std::string text = fmt::format("study {}: {} of {}", name_, rows_, planned_rows_);
+    if (optional_rows_ > 0) text += fmt::format(" to {}", planned_rows_ + optional_rows_);
     text += " rows";
     if (not_ok_ > 0) text += fmt::format(" ({} not ok)", not_ok_);
     text += ", " + duration(elapsed_s);
-    if (rows_ < left_.rows && work_ > 0) {
-      text += fmt::format(", about {} left", duration(elapsed_s * (left_.work - work_) / work_));
+    if (rows_ < planned_rows_ && work_ > 0) {
+      text += fmt::format(", about {} left", duration(elapsed_s * (planned_work_ - work_) / work_));
     }
     return text;
   }
@@ -102,7 +88,9 @@ class StudySession::Progress {
   std::FILE* out_;
   bool terminal_;
   std::string name_;
-  RemainingRows left_;
+  std::size_t planned_rows_ = 0;   // that the study is not complete without
+  std::size_t optional_rows_ = 0;  // that may turn out not to be needed
+  double planned_work_ = 0;        // of the former
   std::size_t rows_ = 0;
   std::size_t not_ok_ = 0;
   double work_ = 0;
@@ -138,7 +126,7 @@ void StudySession::add(const PlannedRun& run, const RunRecord& row) {
     return;
   }
   if (policy_.progress != nullptr) {
-    progress_->row_done(run.optional ? 0 : work_at(plan_, run.row),
+    progress_->row_done(run.optional ? 0 : work_of_row(static_cast<std::uint64_t>(row.requested_n)),
                         row.status == RunStatus::ok || row.status == RunStatus::measured);
   }
 }

@@ -55,7 +55,7 @@ std::vector<int> descriptors_of_graphs(const StudyPlan& plan) {
   std::vector<int> needed;
   for (const PlannedBlock& block : plan.instances.blocks()) {
     if (const auto& corpus = block.first.choice.corpus) {
-      needed.push_back(corpus->graphs->descriptor());
+      needed.push_back(corpus->descriptor());
     }
   }
   return needed;
@@ -70,12 +70,9 @@ struct RowOrder {
 static_assert(std::is_trivially_copyable_v<RowOrder>);  // it is sent as it stands in memory
 
 // Serves rows until the parent hangs up.
-void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) {
-  const Pinning pinning(core);
-  RowMaker maker({.concurrency = pool.workers + pool.elsewhere,
-                  .core = core,
-                  .memory = MemoryScope::worker,
-                  .certify_memory_bytes = plan.budget.certify_memory_bytes});
+void serve(int socket, const StudyPlan& plan, const Circumstances& circumstances) {
+  const Pinning pinning(static_cast<int>(circumstances.core));
+  RowMaker maker(circumstances);
   PlannedInstance instance;
   std::optional<std::size_t> prepared;
   RowOrder order;
@@ -105,36 +102,27 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kPatienceSeconds = 0.1;  // until stop is asked again
 
-// Seconds in which this process was awake. It looks at the clock every kPatienceSeconds; a much
-// longer step is one in which it was frozen, and the whole study with it (SIGSTOP, scontrol
+// Tells the seconds in which this process was awake. It looks at the clock every kPatienceSeconds; a
+// much longer step is one in which it was frozen, and the whole study with it (SIGSTOP, scontrol
 // suspend).
-class AwakeClock {
- public:
-  double now_s() {
+std::function<double()> awake_clock() {
+  return [last = Clock::now(), awake_s = 0.0]() mutable {
     const Clock::time_point now = Clock::now();
-    const std::chrono::duration<double> step = now - last_;
-    last_ = now;
-    return awake_s_ += std::min(step.count(), kPatienceSeconds + 1);
-  }
-
- private:
-  Clock::time_point last_ = Clock::now();
-  double awake_s_ = 0;
-};
+    const std::chrono::duration<double> step = now - std::exchange(last, now);
+    return awake_s += std::min(step.count(), kPatienceSeconds + 1);
+  };
+}
 
 // How a row ended without a worker's word: "killed by signal 11 (Segmentation fault)", …
-struct WorkerEnd {
-  RunStatus status = RunStatus::crashed;
-  std::string message;
-};
+using WorkerEnd = std::pair<RunStatus, std::string>;
 
 // A forked process that makes rows. It ends with this object.
 struct Worker {
   // @throws InputError if the system has no process or descriptor left.
-  Worker(const StudyPlan& plan, const WorkerPool& pool, int core) {
+  Worker(const StudyPlan& plan, const Circumstances& circumstances) {
     row_message_size();  // so that the columns are made once, by the parent
     child = Child::forked({.kept = descriptors_of_graphs(plan)}, [&](int socket) {
-      serve(socket, plan, pool, core);
+      serve(socket, plan, circumstances);
       return 0;
     });
     fcntl(child.socket(), F_SETFL, O_NONBLOCK);
@@ -174,12 +162,8 @@ struct Worker {
 // A place for a worker: it has a row in hand, or there is nothing left for it.
 class WorkerPlace {
  public:
-  WorkerPlace(RowSource& source, const WorkerPool& pool, AwakeClock& clock, int number)
-      : source_(source),
-        pool_(pool),
-        clock_(clock),
-        number_(number),
-        core_(pool.cores.empty() ? -1 : pool.cores.at(static_cast<std::size_t>(number))) {}
+  WorkerPlace(RowSource& source, const std::function<double()>& awake_s, int number)
+      : source_(source), awake_s_(awake_s), number_(number) {}
 
   bool busy() const { return job_.has_value(); }
   int descriptor() const { return worker_->child.socket(); }
@@ -187,7 +171,7 @@ class WorkerPlace {
   double left_s() const {
     if (!limit_s_) return kPatienceSeconds;
     const double computing = worker_->cpu_s() - cpu_before_s_;
-    const double waiting = clock_.now_s() - began_s_;
+    const double waiting = awake_s_() - began_s_;
     return std::max(0.0, std::min(*limit_s_ - computing, idle_limit_s(*limit_s_) - waiting));
   }
 
@@ -201,7 +185,8 @@ class WorkerPlace {
       }
       if (worker_ && worker_->send(*job_)) return begin_time();
       worker_.reset();
-      worker_ = std::make_unique<Worker>(source_.session().plan(), pool_, core_);
+      worker_ = std::make_unique<Worker>(source_.session().plan(),
+                                         source_.circumstances(number_, MemoryScope::worker));
       if (worker_->send(*job_)) return begin_time();
       give_up(worker_->end());
     }
@@ -255,7 +240,7 @@ class WorkerPlace {
     if (!budget.row_time_s) return;
     limit_s_ = (*budget.row_time_s)(job_->instance->n);
     cpu_before_s_ = worker_->cpu_s();
-    began_s_ = clock_.now_s();
+    began_s_ = awake_s_();
   }
 
   // The row ends here, and its worker with it. Where not even the graph came, the other rows of the
@@ -271,16 +256,13 @@ class WorkerPlace {
 
   void fail(const WorkerEnd& end) {
     RunRecord run = begun_ ? *begun_ : planned_row(*job_->instance, *job_->run);
-    run.status = end.status;
-    run.message = end.message;
+    std::tie(run.status, run.message) = end;
     source_.done(*job_, std::move(run));
   }
 
   RowSource& source_;
-  const WorkerPool& pool_;
-  AwakeClock& clock_;
+  const std::function<double()>& awake_s_;
   int number_;
-  int core_;
   std::unique_ptr<Worker> worker_;
   std::optional<RowJob> job_;
   std::optional<RunRecord> begun_;  // what is known of the row in hand, once its graph is there
@@ -305,13 +287,13 @@ void wait_for_news(const std::vector<WorkerPlace>& places) {
 
 }  // namespace
 
-void work_in_processes(RowSource& source, const WorkerPool& pool) {
+void work_in_processes(RowSource& source) {
   const auto stopped = [&] { return source.session().stopped(); };
-  AwakeClock clock;
+  const std::function<double()> awake_s = awake_clock();
   std::vector<WorkerPlace> places;
-  places.reserve(static_cast<std::size_t>(pool.workers));
-  for (int i = 0; i < pool.workers && !stopped(); ++i) {
-    places.emplace_back(source, pool, clock, i).begin_next();
+  places.reserve(static_cast<std::size_t>(source.workers()));
+  for (int i = 0; i < source.workers() && !stopped(); ++i) {
+    places.emplace_back(source, awake_s, i).begin_next();
   }
   while (std::any_of(places.begin(), places.end(),
                      [](const WorkerPlace& place) { return place.busy(); })) {

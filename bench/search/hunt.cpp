@@ -29,80 +29,20 @@ Graph neighbour(const Graph& graph, RandomStream& random) {
   return random.chance(1, 2) ? with_switched_edges(graph, random) : exchanged_labels(graph, random);
 }
 
-class Hunter {
- public:
-  Hunter(const Subject& subject, const HuntOptions& options,
-         const std::function<void(const HuntResult&)>& progress)
-      : subject_(subject), options_(options), progress_(progress) {}
-
-  HuntResult run() {
-    while (!is_over()) climb_from_new_start();
-    return std::move(result_);
+// That of the round, or the next one whose degrees the algorithm can draw. @param place  becomes where
+// it stands in its file.
+Graph drawable_graph(const FamilyChoice& start, const Algorithm& algorithm, std::uint64_t round,
+                     std::uint32_t& place) {
+  const Corpus& corpus = *start.corpus;
+  const std::uint32_t limit = algorithm.guarantee.max_degree;
+  for (std::size_t i = 0; i < corpus.size(); ++i) {
+    place = corpus.place((round + i) % corpus.size());
+    Graph graph = corpus.graph(place);
+    if (graph.max_degree() <= limit) return graph;
   }
-
- private:
-  bool is_over() const {
-    if (result_.evaluations == 0) return false;
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-    return !result_.best.failure.empty() || result_.evaluations >= options_.evaluations ||
-           (options_.seconds > 0 && elapsed.count() >= options_.seconds);
-  }
-
-  void climb_from_new_start() {
-    const std::uint64_t number = result_.starts++;
-    start_ = options_.families[number % options_.families.size()];
-    start_seed_ = mix_seed(options_.seed, number);
-    RandomStream random(start_seed_, kStepStream);
-    const std::uint64_t round = number / options_.families.size();
-    const Corpus* const corpus = start_.corpus ? start_.corpus->graphs.get() : nullptr;
-    Graph graph = corpus != nullptr
-                      ? drawable_graph(*corpus, round)
-                      : generate(*start_.family, options_.n, start_seed_, start_.parameters);
-    if (round >= (corpus != nullptr ? corpus->size() : 1)) graph = shuffled_labels(graph, random);
-    Trial current = evaluate(std::move(graph));
-    for (std::uint64_t stale = 0; stale < options_.patience && !is_over(); ++stale) {
-      Trial next = evaluate(neighbour(current.graph, random));
-      if (next.ratio < current.ratio) continue;
-      if (next.ratio > current.ratio) stale = 0;
-      current = std::move(next);
-    }
-  }
-
-  // That of the round, or the next one whose degrees the algorithm can draw.
-  Graph drawable_graph(const Corpus& corpus, std::uint64_t round) {
-    const std::uint32_t limit = subject_.choice.algorithm->guarantee.max_degree;
-    for (std::size_t i = 0; i < corpus.size(); ++i) {
-      start_place_ = corpus.place((round + i) % corpus.size());
-      Graph graph = corpus.graph(start_place_);
-      if (graph.max_degree() <= limit) return graph;
-    }
-    throw InputError(fmt::format("{}: no graph has maximum degree {} or less, as {} needs",
-                                 start_.family->name, limit, subject_.choice.algorithm->name));
-  }
-
-  Trial evaluate(Graph graph) {
-    Trial trial = try_graph(subject_, std::move(graph));
-    ++result_.evaluations;
-    const bool is_first = result_.evaluations == 1;
-    if (is_first || !trial.failure.empty() || trial.ratio > result_.best.ratio) {
-      result_.best = trial;
-      result_.start = start_;
-      result_.start_seed = start_seed_;
-      result_.start_place = start_place_;
-      if (progress_) progress_(result_);
-    }
-    return trial;
-  }
-
-  const Subject& subject_;
-  const HuntOptions& options_;
-  const std::function<void(const HuntResult&)>& progress_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  FamilyChoice start_;
-  std::uint64_t start_seed_ = 0;
-  std::uint32_t start_place_ = 0;
-  HuntResult result_;
-};
+  throw InputError(fmt::format("{}: no graph has maximum degree {} or less, as {} needs",
+                               start.family->name, limit, algorithm.name));
+}
 
 Graph without_components(const Graph& graph, std::size_t first, std::size_t last) {
   const Components components = connected_components_of(graph);
@@ -126,51 +66,34 @@ Graph without_edges(const Graph& graph, std::size_t first, std::size_t last) {
   return Graph(graph.num_vertices(), std::move(edges));
 }
 
-/// One kind of part that can be removed.
-struct RemovablePart {
-  std::size_t (*count)(const Graph&);
-  Graph (*without)(const Graph&, std::size_t first, std::size_t last);
-};
+using CountParts = std::size_t (*)(const Graph&);
+using WithoutParts = Graph (*)(const Graph&, std::size_t first, std::size_t last);
 
-const std::vector<RemovablePart>& kinds_of_parts() {
-  static const std::vector<RemovablePart> kinds = {
-      {[](const Graph& g) { return std::size_t{connected_components_of(g).count}; },
-       without_components},
-      {[](const Graph& g) { return std::size_t{g.num_vertices()}; }, without_vertices},
-      {[](const Graph& g) { return std::size_t{g.num_edges()}; }, without_edges}};
-  return kinds;
-}
-
-/// One pass over all chunks of that size, from the end, so that the places of the others stay.
-bool remove_once(const RemovablePart& parts, std::size_t chunk,
-                 const std::function<bool(const Graph&)>& keeps, std::uint64_t max_evaluations,
-                 ShrinkResult& result) {
-  bool removed = false;
-  std::size_t last = parts.count(result.graph);
-  while (last > 0 && result.evaluations < max_evaluations) {
-    const std::size_t first = last > chunk ? last - chunk : 0;
-    Graph candidate = parts.without(result.graph, first, last);
-    ++result.evaluations;
-    if (keeps(candidate)) {
-      result.graph = std::move(candidate);
-      removed = true;
-    }
-    last = std::min(first, parts.count(result.graph));
-  }
-  return removed;
-}
-
-/// Chunks of half of the parts, then a quarter, … then single ones until none can go.
-bool remove_chunks(const RemovablePart& parts, const std::function<bool(const Graph&)>& keeps,
-                   std::uint64_t max_evaluations, ShrinkResult& result) {
+/// Removes chunks of half of the parts of one kind, then a quarter, … then single ones until none can
+/// go. In one pass over all chunks of a size the last stands first, so that the places of the others
+/// stay.
+bool remove_chunks(CountParts count, WithoutParts without,
+                   const std::function<bool(const Graph&)>& keeps, std::uint64_t max_evaluations,
+                   ShrinkResult& result) {
   bool has_shrunk = false;
-  std::size_t chunk = std::max<std::size_t>(1, parts.count(result.graph) / 2);
+  std::size_t chunk = std::max<std::size_t>(1, count(result.graph) / 2);
   while (true) {
-    const bool removed = remove_once(parts, chunk, keeps, max_evaluations, result);
+    bool removed = false;
+    std::size_t last = count(result.graph);
+    while (last > 0 && result.evaluations < max_evaluations) {
+      const std::size_t first = last > chunk ? last - chunk : 0;
+      Graph candidate = without(result.graph, first, last);
+      ++result.evaluations;
+      if (keeps(candidate)) {
+        result.graph = std::move(candidate);
+        removed = true;
+      }
+      last = std::min(first, count(result.graph));
+    }
     has_shrunk |= removed;
     if (chunk == 1 && !removed) return has_shrunk;
     if (result.evaluations >= max_evaluations) return true;
-    if (!removed || chunk > parts.count(result.graph)) chunk = std::max<std::size_t>(1, chunk / 2);
+    if (!removed || chunk > count(result.graph)) chunk = std::max<std::size_t>(1, chunk / 2);
   }
 }
 
@@ -179,7 +102,48 @@ bool remove_chunks(const RemovablePart& parts, const std::function<bool(const Gr
 HuntResult hunt(const Subject& subject, const HuntOptions& options,
                 const std::function<void(const HuntResult&)>& progress) {
   expect(!options.families.empty(), "a hunt has a family to start from");
-  return Hunter(subject, options, progress).run();
+  const auto begin = std::chrono::steady_clock::now();
+  HuntResult result;
+  FamilyChoice start;
+  std::uint64_t start_seed = 0;
+  std::uint32_t start_place = 0;
+  const auto is_over = [&] {
+    if (result.evaluations == 0) return false;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    return !result.best.failure.empty() || result.evaluations >= options.evaluations ||
+           (options.seconds > 0 && elapsed.count() >= options.seconds);
+  };
+  const auto evaluate = [&](Graph graph) {
+    Trial trial = try_graph(subject, std::move(graph));
+    const bool is_first = ++result.evaluations == 1;
+    if (is_first || !trial.failure.empty() || trial.ratio > result.best.ratio) {
+      result.best = trial;
+      result.start = start;
+      result.start_seed = start_seed;
+      result.start_place = start_place;
+      if (progress) progress(result);
+    }
+    return trial;
+  };
+  while (!is_over()) {  // climbs from a new start
+    const std::uint64_t number = result.starts++;
+    const std::uint64_t round = number / options.families.size();
+    start = options.families[number % options.families.size()];
+    start_seed = mix_seed(options.seed, number);
+    RandomStream random(start_seed, kStepStream);
+    Graph graph = start.corpus
+                      ? drawable_graph(start, *subject.choice.algorithm, round, start_place)
+                      : generate(*start.family, options.n, start_seed, start.parameters);
+    if (round >= (start.corpus ? start.corpus->size() : 1)) graph = shuffled_labels(graph, random);
+    Trial current = evaluate(std::move(graph));
+    for (std::uint64_t stale = 0; stale < options.patience && !is_over(); ++stale) {
+      Trial next = evaluate(neighbour(current.graph, random));
+      if (next.ratio < current.ratio) continue;
+      if (next.ratio > current.ratio) stale = 0;
+      current = std::move(next);
+    }
+  }
+  return result;
 }
 
 std::vector<FamilyChoice> fitting_families(const Algorithm& algorithm, std::uint64_t n) {
@@ -219,9 +183,13 @@ ShrinkResult shrink(const Graph& graph, const std::function<bool(const Graph&)>&
   bool has_shrunk = true;
   while (has_shrunk && result.evaluations < max_evaluations) {
     has_shrunk = false;
-    for (const RemovablePart& parts : kinds_of_parts()) {
-      has_shrunk |= remove_chunks(parts, keeps, max_evaluations, result);
-    }
+    has_shrunk |=
+        remove_chunks([](const Graph& g) { return std::size_t{connected_components_of(g).count}; },
+                      without_components, keeps, max_evaluations, result);
+    has_shrunk |= remove_chunks([](const Graph& g) { return std::size_t{g.num_vertices()}; },
+                                without_vertices, keeps, max_evaluations, result);
+    has_shrunk |= remove_chunks([](const Graph& g) { return std::size_t{g.num_edges()}; },
+                                without_edges, keeps, max_evaluations, result);
   }
   result.minimal = !has_shrunk;
   return result;

@@ -80,7 +80,7 @@ KeptDrawings parse_kept_drawings(std::string_view text);
 struct FamilyChoice {
   const Family* family = nullptr;  ///< of the catalogue, or the corpus's own
   Settings parameters;
-  std::shared_ptr<const NamedCorpus> corpus = {};  ///< null: a family of the catalogue
+  std::shared_ptr<const Corpus> corpus = {};  ///< null: a family of the catalogue
 };
 
 /// Describes an algorithm with complete options, and how much of its drawings is stored.

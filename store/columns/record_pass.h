@@ -15,7 +15,8 @@ namespace ar3d {
 /// them into bytes or reads them from there.
 class RecordPass {
  public:
-  explicit RecordPass(TableSpec& described) : described_(&described), columns_(described.columns) {}
+  explicit RecordPass(StoredTable& described)
+      : described_(&described), columns_(described.columns) {}
   /// Writes to zeros. @param first  column that is named first. @throws InputError if a text does
   /// not fit its column.
   static RecordPass writing(const std::vector<Column>& columns, char* to, std::size_t first = 0) {
@@ -95,7 +96,7 @@ class RecordPass {
   }
   void store_text(const Column& column, const std::string& value);
 
-  TableSpec* described_ = nullptr;
+  StoredTable* described_ = nullptr;
   const char* from_ = nullptr;
   char* to_ = nullptr;
   const std::vector<Column>& columns_;

@@ -198,9 +198,9 @@ T number_at(const Column& column, const char* record) {
 
 }  // namespace
 
-const TableSpec& runs_spec() {
-  static const TableSpec spec = [] {
-    TableSpec made;
+const StoredTable& runs_spec() {
+  static const StoredTable spec = [] {
+    StoredTable made;
     RecordPass pass(made);
     RunRecord none;
     columns_of(pass, none);
@@ -222,8 +222,6 @@ std::size_t run_record_size() {
   static const std::size_t size = record_size(run_columns());
   return size;
 }
-
-void require_storable(const RunRecord& run) { record_of(run); }
 
 void store_record(const RunRecord& run, char* record) {
   std::memset(record, 0, run_record_size());
@@ -249,11 +247,6 @@ RunRecord load_record(const char* record) {
   RecordPass pass = RecordPass::reading(run_columns(), record);
   columns_of(pass, run);
   return run;
-}
-
-RowKey key_of_record(const char* record) {
-  static const Column& column = run_column("row_key");
-  return parse_row_key({record + column.offset, column.size});
 }
 
 std::vector<Column> columns_of_kind(ColumnKind kind) {
@@ -308,11 +301,6 @@ double column_number(const Column& column, const char* record) {
   expect(column.type == ColumnType::int64, "a column with a number");
   const auto integer = number_at<std::int64_t>(column, record);
   return integer < 0 ? kMissing : static_cast<double>(integer);
-}
-
-std::string column_text(const Column& column, const RunRecord& run) {
-  const bool is_metric = column.kind == ColumnKind::metric;
-  return column_text(column, (is_metric ? metrics_record(run) : record_of(run)).data());
 }
 
 double column_number(const Column& column, const RunRecord& run) {

@@ -13,7 +13,7 @@ namespace ar3d {
 /// Returns the table /runs: the single description from which files, their readers, comparisons and
 /// the schema page are made. Columns stand in the order of their bytes in a record. Name, unit and
 /// meaning of a metric are those of its row in verify/metrics/metrics.h.
-const TableSpec& runs_spec();
+const StoredTable& runs_spec();
 const std::vector<Column>& run_columns();
 
 /// Returns the column of that name. @throws InternalError if there is none.
@@ -23,16 +23,10 @@ const Column& run_column(std::string_view name);
 /// journals and results files hold and what merging moves around.
 std::size_t run_record_size();
 
-/// @throws InputError if an identifying text does not fit its column.
-void require_storable(const RunRecord& run);
-
-/// Writes run_record_size() bytes. @throws InputError as require_storable.
+/// Writes run_record_size() bytes. @throws InputError if an identifying text does not fit its column.
 void store_record(const RunRecord& run, char* record);
 std::vector<char> record_of(const RunRecord& run);
 RunRecord load_record(const char* record);
-
-/// Returns the key of a record. @throws InputError as parse_row_key.
-RowKey key_of_record(const char* record);
 
 /// Gives the columns of that kind, in the same order. `offset` is their place in a record of /runs.
 std::vector<Column> columns_of_kind(ColumnKind kind);
@@ -48,7 +42,6 @@ std::vector<char> metrics_record(const RunRecord& run);
 /// Returns the value for people and CSV files: text, a decimal integer, or the shortest decimal
 /// that reads back to the same double; "nan" if missing.
 std::string column_text(const Column& column, const char* record);
-std::string column_text(const Column& column, const RunRecord& run);
 /// Returns the value of a column of type int64 or float64; missing if it is -1 or NaN.
 double column_number(const Column& column, const char* record);
 /// Returns a metric of a row. Of many take them from metrics_record().

@@ -83,7 +83,8 @@ bool columns_of(RecordPass& c, AlgorithmRecord& record) {
   c.next_are(ColumnKind::run, false);
   c.text("algorithm", 48, record.algorithm, "drawing algorithm");
   c.text("options", 96, record.options, "its options, complete, in catalogue order");
-  double order = record.volume_order();  // follows from the bound
+  double order = 0;  // follows from the bound
+  for (const AxisBound& axis : record.theorem.axes) order += axis.half_power / 2.0;
   c.number("volume_order", "1", order, "exponent of n in the product of the theorem's bounds");
   std::optional<SizeBound> theorem = record.theorem;
   bound_columns(c, "theorem", theorem);
@@ -148,8 +149,8 @@ bool columns_of(RecordPass& c, EnvironmentEntry& entry) {
 }
 
 template <class Record>
-TableSpec spec_of() {
-  TableSpec spec;
+StoredTable spec_of() {
+  StoredTable spec;
   Record record;
   RecordPass pass(spec);
   columns_of(pass, record);
@@ -158,13 +159,12 @@ TableSpec spec_of() {
 }
 
 template <class Record>
-StoredTable table_of(const TableSpec& spec, const std::vector<Record>& records) {
-  StoredTable table{spec, {}};
-  const std::size_t size = record_size(spec.columns);
+StoredTable table_of(StoredTable table, const std::vector<Record>& records) {
+  const std::size_t size = record_size(table.columns);
   table.records.resize(records.size() * size);
   for (std::size_t i = 0; i < records.size(); ++i) {
     Record record = records[i];
-    RecordPass pass = RecordPass::writing(spec.columns, table.records.data() + i * size);
+    RecordPass pass = RecordPass::writing(table.columns, table.records.data() + i * size);
     columns_of(pass, record);
   }
   return table;
@@ -174,7 +174,7 @@ template <class Record>
 std::vector<Record> records_of(const StoredTable& table) {
   std::vector<Record> records;
   for (std::size_t i = 0; i < table.size(); ++i) {
-    RecordPass pass = RecordPass::reading(table.spec.columns, table.record(i));
+    RecordPass pass = RecordPass::reading(table.columns, table.record(i));
     Record record;
     if (columns_of(pass, record)) records.push_back(std::move(record));
   }
@@ -201,16 +201,10 @@ std::string text_of_graphs(const HeldGraphs& graphs) {
 
 }  // namespace
 
-double AlgorithmRecord::volume_order() const {
-  unsigned half_powers = 0;
-  for (const AxisBound& axis : theorem.axes) half_powers += axis.half_power;
-  return half_powers / 2.0;
-}
-
-const std::vector<TableSpec>& side_table_specs() {
-  static const std::vector<TableSpec> specs = {spec_of<AlgorithmRecord>(),
-                                               spec_of<GraphFileRecord>(), spec_of<SkippedFile>(),
-                                               spec_of<CollectedFile>(), spec_of<std::string>()};
+const std::vector<StoredTable>& side_table_specs() {
+  static const std::vector<StoredTable> specs = {spec_of<AlgorithmRecord>(),
+                                                 spec_of<GraphFileRecord>(), spec_of<SkippedFile>(),
+                                                 spec_of<CollectedFile>(), spec_of<std::string>()};
   return specs;
 }
 
@@ -221,8 +215,8 @@ StoredTable side_table(const std::vector<Record>& records) {
 
 template <class Record>
 std::vector<Record> side_records(const StudyIdentity& identity) {
-  const StoredTable* const table = find_table(identity, spec_of<Record>().name);
-  return table == nullptr ? std::vector<Record>() : records_of<Record>(*table);
+  const auto table = std::ranges::find(identity.tables, spec_of<Record>().name, &StoredTable::name);
+  return table == identity.tables.end() ? std::vector<Record>() : records_of<Record>(*table);
 }
 
 template StoredTable side_table(const std::vector<AlgorithmRecord>&);
@@ -234,8 +228,8 @@ template std::vector<GraphFileRecord> side_records(const StudyIdentity&);
 template std::vector<SkippedFile> side_records(const StudyIdentity&);
 template std::vector<CollectedFile> side_records(const StudyIdentity&);
 
-TableSpec environments_spec(std::size_t name_bytes, std::size_t value_bytes) {
-  TableSpec spec = spec_of<EnvironmentEntry>();
+StoredTable environments_spec(std::size_t name_bytes, std::size_t value_bytes) {
+  StoredTable spec = spec_of<EnvironmentEntry>();
   spec.columns[1].size = std::max<std::size_t>(1, name_bytes);
   spec.columns[2].size = std::max<std::size_t>(1, value_bytes);
   pack_columns(spec.columns);
@@ -371,8 +365,7 @@ bool unite_files(StudyIdentity& all, const StudyIdentity& other) {
     files.push_back(std::move(file));
   }
   const auto put = [&](StoredTable table) {
-    std::erase_if(all.tables,
-                  [&](const StoredTable& old) { return old.spec.name == table.spec.name; });
+    std::erase_if(all.tables, [&](const StoredTable& old) { return old.name == table.name; });
     all.tables.push_back(std::move(table));
   };
   put(side_table<CollectedFile>(files));

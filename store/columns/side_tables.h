@@ -18,10 +18,6 @@ struct AlgorithmRecord {
   std::string options;  ///< "effort=1", complete and in catalogue order
   SizeBound theorem;
   std::optional<SizeBound> published;  ///< of others, for comparison only
-
-  /// Returns the exponent of n in the product of the theorem's three bounds: 3/2 for sqrt(n) per
-  /// side, 3 for n a side.
-  double volume_order() const;
 };
 
 /// Describes a record of /graph_files: a file, or a collection, whose graphs are instances.
@@ -54,7 +50,7 @@ struct CollectedFile {
 
 /// Returns names and columns of the tables that may stand beside the rows, those of records and
 /// /graphs.
-const std::vector<TableSpec>& side_table_specs();
+const std::vector<StoredTable>& side_table_specs();
 
 /// Returns the table of records of one of the four kinds above. @throws InputError if a text does
 /// not fit its column (in a path each byte that is no printable ASCII counts three).
@@ -67,7 +63,7 @@ template <class Record>
 std::vector<Record> side_records(const StudyIdentity& identity);
 
 /// Returns /environments for texts of so many bytes, the table of these entries, and its entries.
-TableSpec environments_spec(std::size_t name_bytes, std::size_t value_bytes);
+StoredTable environments_spec(std::size_t name_bytes, std::size_t value_bytes);
 StoredTable environments_table(const std::vector<EnvironmentEntry>& environment);
 std::vector<EnvironmentEntry> environment_of(const StoredTable& table);
 

@@ -28,13 +28,6 @@ std::optional<Shard> parse_shard(std::string_view text) {
   return shard;
 }
 
-const StoredTable* find_table(const StudyIdentity& identity, std::string_view name) {
-  for (const StoredTable& table : identity.tables) {
-    if (table.spec.name == name) return &table;
-  }
-  return nullptr;
-}
-
 std::string content_hash(std::string_view bytes) {
   const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
   return to_string(RowKey{hash.high64, hash.low64});

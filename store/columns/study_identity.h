@@ -49,9 +49,6 @@ struct StudyIdentity {
   std::string source() const;
 };
 
-/// Returns the table of that name; null if there is none.
-const StoredTable* find_table(const StudyIdentity& identity, std::string_view name);
-
 /// Returns XXH3-128 of the bytes, 32 hexadecimal digits.
 std::string content_hash(std::string_view bytes);
 

@@ -45,19 +45,15 @@ void pack_columns(std::vector<Column>& columns);
 /// Returns bytes of a packed record.
 std::size_t record_size(const std::vector<Column>& columns);
 
-/// Describes a table as it is stored: what its records are made of.
-struct TableSpec {
+/// Describes a table as it is stored: what its records are made of and, of a small one, its records,
+/// one after the other.
+struct StoredTable {
   std::string name;
   std::string title;
   std::vector<Column> columns;  ///< packed
-};
-
-/// Describes a small table with its records, one after the other.
-struct StoredTable {
-  TableSpec spec;
-  std::vector<char> records;
-  std::size_t size() const { return records.size() / record_size(spec.columns); }
-  const char* record(std::size_t i) const { return records.data() + i * record_size(spec.columns); }
+  std::vector<char> records = {};
+  std::size_t size() const { return records.size() / record_size(columns); }
+  const char* record(std::size_t i) const { return records.data() + i * record_size(columns); }
 };
 
 }  // namespace ar3d

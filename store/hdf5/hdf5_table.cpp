@@ -94,7 +94,7 @@ void require_small_chunks(hid_t dataset, hid_t properties, const std::string& na
   }
 }
 
-Hdf5Handle create_dataset(hid_t file, const TableSpec& table) {
+Hdf5Handle create_dataset(hid_t file, const StoredTable& table) {
   const hsize_t size = 0;
   const hsize_t unlimited = H5S_UNLIMITED;
   const Hdf5Handle space(H5Screate_simple(1, &size, &unlimited), H5Sclose,
@@ -109,7 +109,7 @@ Hdf5Handle create_dataset(hid_t file, const TableSpec& table) {
           H5Dclose, "create a table"};
 }
 
-void describe(hid_t dataset, const TableSpec& table) {
+void describe(hid_t dataset, const StoredTable& table) {
   write_attribute(dataset, "CLASS", "TABLE");
   write_attribute(dataset, "VERSION", "2.7");
   write_attribute(dataset, "TITLE", table.title);
@@ -153,7 +153,7 @@ std::optional<Hdf5Handle> member_type(hid_t record, const std::string& name) {
 }
 
 // Of the wanted columns those that the file has.
-std::vector<Column> stored_columns(hid_t dataset, const TableSpec& table) {
+std::vector<Column> stored_columns(hid_t dataset, const StoredTable& table) {
   const Hdf5Handle record = type_of(dataset, table.name);
   std::vector<Column> found;
   for (Column column : table.columns) {
@@ -201,7 +201,7 @@ Hdf5Handle open_own_dataset(hid_t file, const std::string& name) {
   return dataset;
 }
 
-TableWriter::TableWriter(hid_t file, const TableSpec& table)
+TableWriter::TableWriter(hid_t file, const StoredTable& table)
     : type_(record_type(table.columns, false)),
       dataset_(create_dataset(file, table)),
       record_size_(record_size(table.columns)) {
@@ -233,12 +233,12 @@ void TableWriter::finish() {
 }
 
 void write_table(hid_t file, const StoredTable& table) {
-  TableWriter writer(file, table.spec);
+  TableWriter writer(file, table);
   for (std::size_t i = 0; i < table.size(); ++i) writer.append(table.record(i));
   writer.finish();
 }
 
-TableReader::TableReader(hid_t file, const TableSpec& table, std::uint64_t file_bytes)
+TableReader::TableReader(hid_t file, const StoredTable& table, std::uint64_t file_bytes)
     : dataset_(open_own_dataset(file, table.name)),
       wanted_(stored_columns(dataset_.get(), table)),
       found_(packed(wanted_)),
@@ -270,9 +270,9 @@ const char* TableReader::read(std::size_t i) {
   return record_.data();
 }
 
-StoredTable read_table(hid_t file, const TableSpec& table, std::uint64_t file_bytes) {
+StoredTable read_table(hid_t file, const StoredTable& table, std::uint64_t file_bytes) {
   TableReader reader(file, table, file_bytes);
-  StoredTable stored{table, {}};
+  StoredTable stored = table;
   for (std::size_t i = 0; i < reader.size(); ++i) {
     const char* record = reader.read(i);
     stored.records.insert(stored.records.end(), record, record + record_size(table.columns));

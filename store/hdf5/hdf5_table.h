@@ -13,7 +13,7 @@ namespace ar3d {
 /// to 1.
 inline constexpr std::uint64_t kMostRecordsPerByte = 1100;
 
-// A TableSpec in an HDF5 file is a one-dimensional dataset of a compound type, chunked and
+// A StoredTable in an HDF5 file is a one-dimensional dataset of a compound type, chunked and
 // compressed, with the attributes by which PyTables (hence pandas.read_hdf) knows its tables, and
 // `<column>.unit` and `<column>.meaning` for every column.
 
@@ -26,7 +26,7 @@ Hdf5Handle open_own_dataset(hid_t file, const std::string& name);
 class TableWriter {
  public:
   /// @throws Hdf5Error
-  TableWriter(hid_t file, const TableSpec& table);
+  TableWriter(hid_t file, const StoredTable& table);
   /// Copies a packed record. @throws Hdf5Error
   void append(const char* record);
   /// Writes what is buffered and the number of records. Once, at the end. @throws Hdf5Error
@@ -53,7 +53,7 @@ class TableReader {
   /// @throws Hdf5Error if the table or a required column is missing, a column is not exactly of its
   /// type, or the table is not stored as this program stores tables: chunked, deflated or plain, in
   /// the file itself, and with no more records than `file_bytes` can hold.
-  TableReader(hid_t file, const TableSpec& table, std::uint64_t file_bytes);
+  TableReader(hid_t file, const StoredTable& table, std::uint64_t file_bytes);
   std::size_t size() const { return size_; }
   /// Returns record i, laid out as table.columns; valid until the next call. Cheap if i is near the
   /// one before. @throws Hdf5Error
@@ -74,7 +74,7 @@ class TableReader {
 };
 
 /// Reads a whole table. @throws Hdf5Error as TableReader.
-StoredTable read_table(hid_t file, const TableSpec& table, std::uint64_t file_bytes);
+StoredTable read_table(hid_t file, const StoredTable& table, std::uint64_t file_bytes);
 
 /// Returns true if there is a table of that name. @throws Hdf5Error if it is a link elsewhere.
 bool has_table(hid_t file, const std::string& name);

@@ -87,8 +87,8 @@ void write_spec(hid_t file, const std::string& spec) {
                "write /spec");
 }
 
-TableSpec instances_spec() {
-  TableSpec spec{"instances", "one record per graph", {}};
+StoredTable instances_spec() {
+  StoredTable spec{"instances", "one record per graph", {}};
   for (const Column& column : columns_of_kind(ColumnKind::instance)) spec.columns.push_back(column);
   pack_columns(spec.columns);
   return spec;
@@ -234,7 +234,7 @@ std::string opened(const std::string& path, int descriptor, std::optional<TableR
   require_format(file.get());
   const std::uint64_t bytes = std::filesystem::file_size(name);
   StudyIdentity identity = read_identity(file.get());
-  for (const TableSpec& spec : side_table_specs()) {
+  for (const StoredTable& spec : side_table_specs()) {
     if (has_table(file.get(), spec.name)) {
       identity.tables.push_back(read_table(file.get(), spec, bytes));
     }
@@ -385,9 +385,10 @@ void RunReader::read(std::size_t i, char* record) {
 }
 
 RowKey RunReader::key(std::size_t i) {
-  const char* bytes = record(i);
+  static const Column& column = run_column("row_key");
+  const char* bytes = record(i) + column.offset;
   try {
-    return key_of_record(bytes);
+    return parse_row_key({bytes, column.size});
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: row {}: {}", path_, i, error.what()));
   }

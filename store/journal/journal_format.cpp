@@ -199,11 +199,11 @@ Json tables_as_json(const StudyIdentity& identity) {
     Json records = Json::array();
     for (std::size_t i = 0; i < table.size(); ++i) {
       std::string record;
-      write_record(table.spec.columns, table.record(i), record);
+      write_record(table.columns, table.record(i), record);
       records.push_back(Json::parse(record));
     }
-    tables.push_back({{"name", table.spec.name},
-                      {"columns", as_json(table.spec.columns)},
+    tables.push_back({{"name", table.name},
+                      {"columns", as_json(table.columns)},
                       {"records", std::move(records)}});
   }
   return tables;
@@ -212,10 +212,11 @@ Json tables_as_json(const StudyIdentity& identity) {
 std::vector<StoredTable> parse_tables(const Json& json, const std::string& path) {
   std::vector<StoredTable> tables;
   for (const Json& entry : json) {
-    for (const TableSpec& spec : side_table_specs()) {
+    for (const StoredTable& spec : side_table_specs()) {
       if (entry.at("name") != spec.name || entry.at("columns") != as_json(spec.columns)) continue;
       const std::size_t size = record_size(spec.columns);
-      tables.push_back({spec, std::vector<char>(size * entry.at("records").size())});
+      tables.push_back(spec);
+      tables.back().records.resize(size * entry.at("records").size());
       char* to = tables.back().records.data();
       for (const Json& record : entry.at("records")) {
         parse_record(spec.columns, record.dump(), path, std::exchange(to, to + size));

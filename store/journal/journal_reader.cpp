@@ -151,13 +151,14 @@ JournalStatus journal_status(const std::string& path) {
   const JournalRecord last = last_journal_record(file.get(), path);
   status.rows = last.rows;
   status.not_ok = last.not_ok;
-  status.is_written = is_locked(file.get());
+  status.writers = is_locked(file.get()) ? 1 : 0;
+  status.journals = 1;
   return status;
 }
 
 JournalReader::JournalReader(std::string path)
     : path_(std::move(path)), file_(open_to_read(path_)) {
-  whole_bytes_ = scan_journal(file_.get(), path_, [this](const JournalRecord& record) {
+  scan_journal(file_.get(), path_, [this](const JournalRecord& record) {
     note(record);
     return true;
   });
@@ -183,16 +184,16 @@ void JournalReader::note(const JournalRecord& record) {
       return;
     case JournalKind::row:
       keys_.push_back(key_of_row(record.payload));
-      rows_.push_back({record.payload_offset, record.payload.size()});
+      rows_.emplace_back(record.payload_offset, record.payload.size());
       return;
   }
 }
 
 void JournalReader::read(std::size_t i, char* record) const {
-  const Row& row = rows_.at(i);
-  std::string json(row.size, '\0');
+  const auto [offset, size] = rows_.at(i);
+  std::string json(size, '\0');
   errno = EIO;  // what a file that has shrunk is
-  if (pread(file_.get(), json.data(), json.size(), static_cast<off_t>(row.offset)) !=
+  if (pread(file_.get(), json.data(), json.size(), static_cast<off_t>(offset)) !=
       static_cast<ssize_t>(json.size())) {
     refuse_reading(path_, errno);
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ar3d/base/new_file.h"
@@ -9,12 +10,16 @@
 
 namespace ar3d {
 
-/// Holds what a look at a journal's two ends tells.
+/// Holds how it stands with a study: what a look at a journal's two ends tells, or at all of them.
 struct JournalStatus {
   StudyIdentity identity;
   std::uint64_t rows = 0;
   std::uint64_t not_ok = 0;
-  bool is_written = false;  ///< a process writes it now
+  int writers = 0;  ///< processes that write now
+  std::size_t journals = 0;
+  bool complete() const {
+    return identity.planned_rows >= 0 && rows >= static_cast<std::uint64_t>(identity.planned_rows);
+  }
 };
 
 /// Reads the identity and the last record: the same time for any number of rows, also while the
@@ -34,8 +39,6 @@ class JournalReader {
   /// Returns the sessions, by number.
   const std::vector<std::vector<EnvironmentEntry>>& sessions() const { return sessions_; }
   std::size_t size() const { return rows_.size(); }
-  /// Returns where the last whole record ends.
-  std::uint64_t whole_bytes() const { return whole_bytes_; }
   /// Returns its key, while keys are held.
   RowKey key(std::size_t i) const { return keys_.at(i); }
   /// Holds no keys any more, for those who have an index of their own.
@@ -44,20 +47,14 @@ class JournalReader {
   void read(std::size_t i, char* record) const;
 
  private:
-  struct Row {
-    std::uint64_t offset = 0;  // of its JSON
-    std::size_t size = 0;
-  };
-
   void note(const JournalRecord& record);
 
   std::string path_;
   Descriptor file_;
-  std::uint64_t whole_bytes_ = 0;
   StudyIdentity identity_;
   std::vector<std::vector<EnvironmentEntry>> sessions_;
   std::vector<RowKey> keys_;
-  std::vector<Row> rows_;
+  std::vector<std::pair<std::uint64_t, std::size_t>> rows_;  // offset and size of its JSON
 };
 
 }  // namespace ar3d

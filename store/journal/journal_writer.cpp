@@ -44,12 +44,11 @@ bool has_no_name(int file) {
 
 }  // namespace
 
-JournalWriter::JournalWriter(const std::string& path, const StudyIdentity& identity,
-                             const std::function<void(const JournalRecord&)>& existing)
+JournalWriter::JournalWriter(const std::string& path, const StudyIdentity& identity)
     : path_(path), record_(run_record_size()) {
   create_if_missing(identity);
   lock();
-  read_existing(identity, existing);
+  read_existing(identity);
   syncer_ = std::thread([this] { sync_every_second(); });
 }
 
@@ -91,15 +90,13 @@ void JournalWriter::lock() {
   throw InputError(fmt::format("{} is being written by another process", path_));
 }
 
-void JournalWriter::read_existing(const StudyIdentity& identity,
-                                  const std::function<void(const JournalRecord&)>& existing) {
+void JournalWriter::read_existing(const StudyIdentity& identity) {
   end_ = scan_journal(file_.get(), path_, [&](const JournalRecord& record) {
     last_ = record;
     if (record.kind == JournalKind::identity) {
       require_same(parse_identity(record.payload, path_), identity, path_);
     }
     if (record.kind == JournalKind::session) ++session_;
-    if (record.kind == JournalKind::row && existing) existing(record);
     return true;
   });
   const off_t size = lseek(file_.get(), 0, SEEK_END);

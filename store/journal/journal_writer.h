@@ -3,7 +3,6 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
-#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -31,12 +30,10 @@ class JournalFull : public InputError {
 /// notices that the journal was deleted; it is put back then, and takes no more rows.
 class JournalWriter {
  public:
-  /// Creates the journal, or continues it: cuts off a record that a crash cut short, then tells the
-  /// rows that it holds.
+  /// Creates the journal, or continues it: cuts off a record that a crash cut short.
   /// @throws InputError if another process writes it, it is damaged, it is of another study, shard
   /// or source, or it cannot be written.
-  JournalWriter(const std::string& path, const StudyIdentity& identity,
-                const std::function<void(const JournalRecord& row)>& existing = {});
+  JournalWriter(const std::string& path, const StudyIdentity& identity);
   ~JournalWriter();
   JournalWriter(const JournalWriter&) = delete;
   JournalWriter& operator=(const JournalWriter&) = delete;
@@ -67,8 +64,7 @@ class JournalWriter {
  private:
   void create_if_missing(const StudyIdentity& identity);
   void lock();
-  void read_existing(const StudyIdentity& identity,
-                     const std::function<void(const JournalRecord&)>& existing);
+  void read_existing(const StudyIdentity& identity);
   void keep_what_is_cut();
   void cut_half_record(std::size_t written);
   [[noreturn]] void fail_because_of_another() const;

@@ -119,7 +119,7 @@ TEST(Scaling, SizesWithUnfinishedInstancesAreLeftOut) {
   ASSERT_EQ(censored.size(), 1u);
   EXPECT_EQ(censored[0].row, 33u);
   EXPECT_EQ(censored[0].n, 16 << 8);
-  for (const ScalingEntry& of_study : scaling(results)) EXPECT_EQ(of_study.censored.size(), 1u);
+  for (const ScalingEntry& of_study : scaling(results)) EXPECT_EQ(of_study.censored, 1u);
 }
 
 TEST(Scaling, MissingAndZeroValuesAreNoPoints) {
@@ -154,7 +154,7 @@ TEST(Scaling, RepetitionsOfAnInstanceGiveTheirMedian) {
   const auto sizes = samples(tally_of(results).curves[0], Quantity::wall_s);
   ASSERT_EQ(sizes.size(), 1u);
   ASSERT_EQ(sizes[0].instances.size(), 1u);
-  EXPECT_DOUBLE_EQ(sizes[0].instances[0].log_value, std::log(2));
+  EXPECT_DOUBLE_EQ(sizes[0].instances[0].first, std::log(2));
 }
 
 TEST(Scaling, RowsOfTheTimingPhaseAloneSpeakForTime) {
@@ -168,7 +168,7 @@ TEST(Scaling, RowsOfTheTimingPhaseAloneSpeakForTime) {
   results.runs[3].instance_index = 1;  // a graph that was never timed alone
   const auto time = [&] { return samples(tally_of(results).curves[0], Quantity::wall_s)[0]; };
   ASSERT_EQ(time().instances.size(), 1u) << "phases are not mixed within a cell";
-  EXPECT_DOUBLE_EQ(time().instances[0].log_value, std::log(7));
+  EXPECT_DOUBLE_EQ(time().instances[0].first, std::log(7));
   results.runs[2].status = RunStatus::timeout;
   ASSERT_EQ(time().instances.size(), 2u) << "no timing row left: the metrics rows, for plots";
 }

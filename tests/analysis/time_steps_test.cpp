@@ -16,8 +16,8 @@ struct Simulated {
   std::size_t cells = 8;
   double spread = 0.01;
 
-  TimeSeries::Result result(RandomStream& random, double step) const {
-    TimeSeries::Result made;
+  std::vector<SideTimes> result(RandomStream& random, double step) const {
+    std::vector<SideTimes> made;
     for (std::size_t setting = 0; setting < settings; ++setting) {
       const double of_setting = spread * normal(random) + (setting == 0 ? step : 0);
       for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -25,7 +25,7 @@ struct Simulated {
         times.halves = 0.003 * normal(random);
         times.level = of_setting + spread * normal(random);
         if (random.chance(2, 100)) times.level += std::log1p(0.05 / (1 - random.unit()));
-        made.cells.push_back(times);
+        made.push_back(times);
       }
     }
     return made;
@@ -38,6 +38,7 @@ struct Simulated {
     for (std::size_t i = 0; i < settings * cells; ++i) {
       series.settings.push_back("s" + std::to_string(i / cells));
     }
+    series.yardsticks.resize(results);
     for (std::size_t i = 0; i < results; ++i) {
       series.results.push_back(result(random, i < at ? 0 : std::log1p(step)));
     }
@@ -94,13 +95,14 @@ TimeSeries measured(const std::vector<double>& times) {
   TimeSeries series;
   series.settings.assign(24, "own");
   for (const double time : times) {
-    series.results.push_back({{}, {}});
+    series.yardsticks.emplace_back();
+    series.results.emplace_back();
     for (int cell = 0; cell < 24; ++cell) {
-      series.results.back().cells.push_back({.rounds = 12,
-                                             .graphs = 1,
-                                             .level = std::log(time) + cell,
-                                             .variance = 1e-6,
-                                             .halves = 0});
+      series.results.back().push_back({.rounds = 12,
+                                       .graphs = 1,
+                                       .level = std::log(time) + cell,
+                                       .variance = 1e-6,
+                                       .halves = 0});
     }
   }
   return series;
@@ -126,20 +128,20 @@ TEST(TimeSteps, HalfAsSlowAgainIsFoundFromFourResultsOn) {
 TEST(TimeSteps, AChangeForOneResultOfFewCellsIsNone) {
   TimeSeries series = measured({30, 30, 30, 30, 30, 60, 30, 30, 30, 30});
   series.settings.assign(1, "own");
-  for (auto& result : series.results) result.cells.resize(1);
+  for (auto& result : series.results) result.resize(1);
   EXPECT_THAT(find_time_steps(series, {}).steps, IsEmpty());
 }
 
 TEST(TimeSteps, ASingleCellAndAllSettingsTogetherAreFound) {
   TimeSeries series = Simulated{.spread = 0.002}.series(1, 10, 10, 0);
-  for (std::size_t i = 5; i < 10; ++i) series.results[i].cells[7].level += 0.5;
+  for (std::size_t i = 5; i < 10; ++i) series.results[i][7].level += 0.5;
   auto steps = find_time_steps(series, {}).steps;
   ASSERT_THAT(steps, SizeIs(1));
   EXPECT_EQ(steps[0].cell, 7U);
   EXPECT_EQ(steps[0].at, 5U);
   series = Simulated{.spread = 0.002}.series(1, 10, 10, 0);
   for (std::size_t i = 4; i < 10; ++i) {
-    for (SideTimes& cell : series.results[i].cells) cell.level += 0.5;
+    for (SideTimes& cell : series.results[i]) cell.level += 0.5;
   }
   steps = find_time_steps(series, {}).steps;
   ASSERT_THAT(steps, SizeIs(1));

@@ -69,7 +69,7 @@ TEST_F(Collections, FilesThatAreNoGraphsAreRefusedOrListed) {
   const Study spec = study("graphs = { files = \"c\", name = \"mine\", skip = true }\n");
   const std::vector<StudyCorpus> corpora = corpora_of(spec);
   std::vector<std::string> skipped;
-  for (const SkippedFile& file : corpora.front().corpus->graphs->skipped()) {
+  for (const SkippedFile& file : corpora.front().corpus->skipped()) {
     skipped.push_back(file.file + ": " + file.reason.substr(file.reason.rfind('/') + 1));
   }
   ASSERT_EQ(skipped.size(), 3u);

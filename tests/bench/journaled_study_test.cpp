@@ -78,7 +78,7 @@ TEST_F(JournaledStudyFiles, AreLockedUntilTheResultsAreWritten) {
   std::size_t locked = 0;
   Onlooker ranks([&] {
     if (!fs::exists(journal_path(results()))) return;
-    EXPECT_TRUE(journal_status(journal_path(results())).is_written);
+    EXPECT_EQ(journal_status(journal_path(results())).writers, 1);
     ++locked;
   });
   const JournaledStudy study = begin();

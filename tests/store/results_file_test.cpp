@@ -51,7 +51,8 @@ TEST_F(ResultsFile, ReadsBackWhatWasWritten) {
     ASSERT_EQ(read.runs.size(), written.runs.size());
     for (std::size_t i = 0; i < read.runs.size(); ++i) {
       for (const Column& column : run_columns()) {
-        EXPECT_EQ(column_text(column, read.runs[i]), column_text(column, written.runs[i]));
+        EXPECT_EQ(column_text(column, record_of(read.runs[i]).data()),
+                  column_text(column, record_of(written.runs[i]).data()));
       }
     }
   }

@@ -27,7 +27,7 @@ TEST(Columns, NamesAreUniqueAndDescribed) {
 }
 
 // A table as the schema page shows it; of metrics it names their table.
-std::string shown(const TableSpec& table) {
+std::string shown(const StoredTable& table) {
   std::string page = "| column | type | unit | meaning |\n|---|---|---|---|\n";
   bool has_metrics = false;
   for (const Column& column : table.columns) {
@@ -54,10 +54,10 @@ std::string shown(const TableSpec& table) {
 TEST(Columns, SchemaPageIsMadeOfThem) {
   std::ifstream in(AR3D_SOURCE_DIR "/results/SCHEMA.md");
   const std::string page(std::istreambuf_iterator<char>(in), {});
-  std::vector<TableSpec> tables = side_table_specs();
+  std::vector<StoredTable> tables = side_table_specs();
   tables.push_back(runs_spec());
   tables.push_back(environments_spec(0, 0));
-  for (const TableSpec& table : tables) {
+  for (const StoredTable& table : tables) {
     const std::size_t at = page.find("## Columns of `/" + table.name + "`\n\n" + shown(table));
     EXPECT_NE(at, std::string::npos) << table.name << " stands there as\n\n" << shown(table);
   }
@@ -92,7 +92,7 @@ TEST(Columns, IdentifyingTextsArePrintableAtEveryPlace) {
       ar3d::RunRecord run = sample_run(4);
       run.options = std::string(19, place % 2 == 0 ? ' ' : '~');
       run.options[place] = static_cast<char>(c);
-      EXPECT_EQ(problem([&] { require_storable(run); }).empty(), c >= ' ' && c <= '~')
+      EXPECT_EQ(problem([&] { record_of(run); }).empty(), c >= ' ' && c <= '~')
           << c << " at " << place;
     }
   }
