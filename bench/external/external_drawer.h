@@ -95,8 +95,8 @@ class ExternalDrawer {
   ExternalDrawer(const ExternalDrawer&) = delete;
   ExternalDrawer& operator=(const ExternalDrawer&) = delete;
 
-  /// Returns, once, what the last drawing took: wall time from request to answer, and as CPU time the
-  /// program's own time if it says so, else that of its process; without its line. Nothing if no
+  /// Returns, once, what the last drawing took, without its line: wall time from request to answer,
+  /// and as CPU time the program's own time if it says so, else that of its process. Nothing if no
   /// program has drawn since.
   std::optional<ExternalProcess::Answer> take_times() {
     return std::exchange(times_, std::nullopt);

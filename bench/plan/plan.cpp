@@ -1,5 +1,5 @@
-// Makes the list of rows out of a specification. What instances have in common is kept once, so that
-// a plan of many rows is small; rows that two sweeps ask for are planned once.
+// Makes the list of rows out of a specification. What instances have in common is kept once, so
+// that a plan of many rows is small; rows that two sweeps ask for are planned once.
 #include "ar3d/bench/plan/plan.h"
 
 #include <tuple>

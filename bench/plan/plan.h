@@ -70,8 +70,8 @@ struct PlannedBlock {
   std::size_t first_row = 0;    ///< of the first instance's first run
 };
 
-/// Represents the instances of a plan in order: blocks, and the index of every instance. An instance
-/// is made when it is asked for. Memory: 4 bytes an instance.
+/// Represents the instances of a plan in order: blocks, and the index of every instance. An
+/// instance is made when it is asked for. Memory: 4 bytes an instance.
 class PlannedInstances {
  public:
   explicit PlannedInstances(std::uint64_t study_seed = 0) : study_seed_(study_seed) {}

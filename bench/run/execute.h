@@ -77,8 +77,8 @@ struct RowJob {
 /// Hands out the rows of a phase and takes them back. Called from several threads at once.
 class RowSource {
  public:
-  /// @param workers  that make its rows. @param elsewhere  workers of other processes of the study at
-  /// the same time. @param cores  of each worker; empty: none is pinned.
+  /// @param workers  that make its rows. @param elsewhere  workers of other processes of the study
+  /// at the same time. @param cores  of each worker; empty: none is pinned.
   RowSource(StudySession& session, int workers, int elsewhere, std::vector<int> cores)
       : session_(session), workers_(workers), elsewhere_(elsewhere), cores_(std::move(cores)) {}
   virtual ~RowSource() = default;

@@ -102,8 +102,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kPatienceSeconds = 0.1;  // until stop is asked again
 
-// Tells the seconds in which this process was awake. It looks at the clock every kPatienceSeconds; a
-// much longer step is one in which it was frozen, and the whole study with it (SIGSTOP, scontrol
+// Tells the seconds in which this process was awake. It looks at the clock every kPatienceSeconds;
+// a much longer step is one in which it was frozen, and the whole study with it (SIGSTOP, scontrol
 // suspend).
 std::function<double()> awake_clock() {
   return [last = Clock::now(), awake_s = 0.0]() mutable {

@@ -29,8 +29,8 @@ Graph neighbour(const Graph& graph, RandomStream& random) {
   return random.chance(1, 2) ? with_switched_edges(graph, random) : exchanged_labels(graph, random);
 }
 
-// That of the round, or the next one whose degrees the algorithm can draw. @param place  becomes where
-// it stands in its file.
+// That of the round, or the next one whose degrees the algorithm can draw. @param place  becomes
+// where it stands in its file.
 Graph drawable_graph(const FamilyChoice& start, const Algorithm& algorithm, std::uint64_t round,
                      std::uint32_t& place) {
   const Corpus& corpus = *start.corpus;
@@ -69,8 +69,8 @@ Graph without_edges(const Graph& graph, std::size_t first, std::size_t last) {
 using CountParts = std::size_t (*)(const Graph&);
 using WithoutParts = Graph (*)(const Graph&, std::size_t first, std::size_t last);
 
-/// Removes chunks of half of the parts of one kind, then a quarter, … then single ones until none can
-/// go. In one pass over all chunks of a size the last stands first, so that the places of the others
+/// Removes chunks of half of the parts of one kind, then a quarter, … then single ones until none
+/// can go. A pass over all chunks of a size begins with the last, so that the places of the others
 /// stay.
 bool remove_chunks(CountParts count, WithoutParts without,
                    const std::function<bool(const Graph&)>& keeps, std::uint64_t max_evaluations,

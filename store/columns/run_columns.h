@@ -23,7 +23,8 @@ const Column& run_column(std::string_view name);
 /// journals and results files hold and what merging moves around.
 std::size_t run_record_size();
 
-/// Writes run_record_size() bytes. @throws InputError if an identifying text does not fit its column.
+/// Writes run_record_size() bytes. @throws InputError if an identifying text does not fit its
+/// column.
 void store_record(const RunRecord& run, char* record);
 std::vector<char> record_of(const RunRecord& run);
 RunRecord load_record(const char* record);

@@ -45,8 +45,8 @@ void pack_columns(std::vector<Column>& columns);
 /// Returns bytes of a packed record.
 std::size_t record_size(const std::vector<Column>& columns);
 
-/// Describes a table as it is stored: what its records are made of and, of a small one, its records,
-/// one after the other.
+/// Describes a table as it is stored: what its records are made of and, of a small one, its
+/// records, one after the other.
 struct StoredTable {
   std::string name;
   std::string title;
