@@ -19,7 +19,6 @@
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/compare/interleave.h"
-#include "ar3d/bench/compare/turns.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/processes.h"

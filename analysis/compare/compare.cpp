@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "ar3d/analysis/compare/settings.h"
 #include "ar3d/base/printable.h"
 
 namespace ar3d {

@@ -57,11 +57,11 @@ struct CellComparison {
   std::int64_t n = -1;
   std::size_t rows = 0;
   Verdict verdict = Verdict::pass;
-  std::string reason;              ///< one line, empty for a plain pass
-  std::string cause;               ///< what the reason says before its first number
-  CountChange counts;              ///< known: they decide, and times are no verdict
-  TimeVerdict time;                ///< of log(new / base)
-  bool is_timed_enough = false;    ///< there are as many rounds of times as a verdict needs
+  std::string reason;            ///< one line, empty for a plain pass
+  std::string cause;             ///< what the reason says before its first number
+  CountChange counts;            ///< known: they decide, and times are no verdict
+  TimeVerdict time;              ///< of log(new / base)
+  bool is_timed_enough = false;  ///< there are as many rounds of times as a verdict needs
   /// Holds log2(new / base) of the volume, of the pair of drawings in which it changed most.
   double log2_volume_change = 0;
 };
@@ -143,5 +143,22 @@ std::string comparison_markdown(const Comparison& comparison, const CompareOptio
 
 /// Returns everything, for programs; missing numbers are null.
 std::string comparison_json(const Comparison& comparison, const CompareOptions& options);
+
+/// Holds what the rounds of all cells of a setting tell together, by algorithm_label().
+using SettingVerdicts = std::map<std::string, TimeVerdict>;
+
+/// Gives a cell that its own rounds leave open the verdict of its setting, unless they differ from
+/// the setting's estimate: by the signed-rank test, its p-value times `tests` at most the rule's
+/// false_discovery_rate.
+/// @param log_ratios  of the cell's rounds.
+void follow_setting(const TimeVerdict& setting, std::vector<double> log_ratios,
+                    const TimeRule& rule, std::size_t tests, TimeVerdict& cell);
+
+/// Fills Comparison::settings from its cells. @param rounds  of settings in turns; of two files
+/// Comparison::times says it.
+void judge_settings(const SettingVerdicts& rounds, Comparison& comparison);
+
+/// Returns "4.8 %" or "24 %" of the logarithm of a ratio.
+std::string rounded_percent(double log_ratio);
 
 }  // namespace ar3d

@@ -6,7 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "ar3d/analysis/compare/settings.h"
+#include "ar3d/analysis/compare/compare.h"
 #include "ar3d/analysis/table.h"
 #include "ar3d/base/printable.h"
 

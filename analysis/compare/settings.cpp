@@ -1,11 +1,11 @@
 // One line for each setting: what its cells have in common, and what the rounds of all of them tell
 // together, which is more than those of one cell.
-#include "ar3d/analysis/compare/settings.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
+
+#include "ar3d/analysis/compare/compare.h"
 
 namespace ar3d {
 namespace {

@@ -1,6 +1,6 @@
 // Two versions of something become settings of one study, whose timing phase draws them in turns.
 // The study is made as the text of a specification, so that its results say what was run.
-#include "ar3d/bench/compare/turns.h"
+#include "ar3d/bench/compare/interleave.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
