@@ -65,7 +65,7 @@ using JudgedLine = std::pair<LineVerdict, std::string>;  // with what is printed
 
 CrossingTest crossing_test(const std::string& name) {
   if (name == "all-pairs") return CrossingTest::all_pairs;
-  if (name == "slabs") return CrossingTest::slabs;
+  if (name == "halving") return CrossingTest::halving;
   return CrossingTest::automatic;
 }
 
@@ -231,8 +231,8 @@ void add_verify(CLI::App& app, int& exit_code) {
   add_promise_options(*verb, arguments->promise);
   verb->get_option("--bends")->excludes(algorithm);
   CLI::Option* test = verb->add_option("--crossing-test", arguments->test,
-                                       "automatic, all-pairs (the slow oracle) or slabs");
-  test->check(one_of({"automatic", "all-pairs", "slabs"}));
+                                       "automatic, all-pairs (the slow oracle) or halving");
+  test->check(one_of({"automatic", "all-pairs", "halving"}));
   verb->add_option("--certificate", arguments->certificate, "exact, or none: nothing is judged")
       ->excludes(test);
   add_threads_option(*verb);

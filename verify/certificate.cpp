@@ -114,7 +114,7 @@ bool check_crossings(const Segments& segments, const CertifyOptions& options, Fi
   if (is_oracle) {
     test_all_pairs(segments, contacts);
   } else {
-    test_by_slabs(segments, contacts);
+    test_by_halving(segments, contacts);
   }
   contacts.report();
   return !contacts.gave_up();

@@ -15,9 +15,9 @@ namespace ar3d {
 
 /// All tests decide exactly and find the same violations.
 enum class CrossingTest {
-  automatic,  ///< the proof by counting, and slabs for what it does not prove
+  automatic,  ///< the proof by counting, and halving for what it does not prove
   all_pairs,  ///< the oracle: every pair of segments, O(S^2)
-  slabs,      ///< space is halved; segments of a small cell are compared
+  halving,    ///< space is halved; segments of a small cell are compared
 };
 
 /// Says how a drawing is judged: by a proof in integers, or not at all.

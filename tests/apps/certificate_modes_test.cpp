@@ -18,7 +18,7 @@ TEST(CertificateModes, VerifySaysWhatIsNotProved) {
                 "0 certified, 0 violated, 0 not drawn, 1 not proved (certificate none)", 5);
   expect_error(verify("double"), "certificate 'double' is none of exact and none");
   EXPECT_THAT(verify("exakt").err, HasSubstr("did you mean 'exact'?"));
-  expect_exit(2, run("{} verify " + file + " --certificate none --crossing-test slabs"));
+  expect_exit(2, run("{} verify " + file + " --certificate none --crossing-test halving"));
 }
 
 TEST(CertificateModes, WhatIsWrongIsNamedIfItIsJudged) {

@@ -311,16 +311,14 @@ class OnePlane(Program):
         self.fan(5000, wrong=[17, 3000])
         said = self.expect(self.VERIFY, 4, ["crossing: edge 17 (34-35)", "crossing: edge 3000 (6000-6001)"])
         self.assertEqual(said.out.count("crossing"), 2)
-        for test in ("all-pairs", "slabs"):
+        for test in ("all-pairs", "halving"):
             self.assertEqual(run(self.VERIFY + "--crossing-test " + test).out, said.out)
 
 
 class OnePlaneLong(OnePlane):
-    def test_100000_are_proved_and_300000_end_with_a_word(self):
+    def test_100000_are_proved(self):
         self.fan(100000)
-        self.expect(self.VERIFY, 0, "1 certified", "f.jsonl:1: compares 4999950000 pairs of segments")
-        self.fan(300000)
-        self.expect(self.VERIFY, 5, "f.jsonl:1: not judged: its segments need more than 20000000000 comparisons", "f.jsonl:1: compares 44999850000 pairs")
+        self.expect(self.VERIFY, 0, "1 certified")
 
 
 if __name__ == "__main__":

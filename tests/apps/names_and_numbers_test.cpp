@@ -76,7 +76,7 @@ TEST(Names, UnknownOnesAreAnsweredWithTheNearest) {
   expect_name_refused("{} hunt --algorithm grid --family cycel", "did you mean 'cycle'?");
   expect_name_refused("{} hunt --algorithm grid --seeded-fault wrong-bent",
                       "did you mean 'wrong-bend'?");
-  expect_name_refused("{} verify - --crossing-test slab", "did you mean 'slabs'?");
+  expect_name_refused("{} verify - --crossing-test halvin", "did you mean 'halving'?");
   expect_name_refused("{} list familes", "did you mean 'families'? (see ar3d list --help)");
   expect_name_refused("{} study run smok", "did you mean 'smoke'?");
 }

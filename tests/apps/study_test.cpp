@@ -36,7 +36,7 @@ TEST(StudyProgram, InterruptedKeepsTheRowsMadeSoFar) {
 }
 
 TEST(VerifyProgram, EveryCrossingTestGivesTheSameVerdict) {
-  for (const char* test : {"automatic", "all-pairs", "slabs"}) {
+  for (const char* test : {"automatic", "all-pairs", "halving"}) {
     expect_output(
         run(std::string("{} generate random-cubic -n 30 | {} draw - --algorithm grid | {} verify - "
                         "--crossing-test ") +

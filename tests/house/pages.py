@@ -85,10 +85,10 @@ class Installed(Page):
     def expect_completion(self, shell, prepare):
         """What the completion of a shell offers. `prepare` defines `say WORD...`: what is offered for the last word, a line each."""
         asked = ("ar3d ve", "ar3d study resu", "ar3d draw x --algorithm diam", "ar3d draw x --til", "ar3d draw x --format gr",
-                 "ar3d generate cycl", "ar3d study run smo", "ar3d verify x --crossing-test sl", "ar3d list named-")
+                 "ar3d generate cycl", "ar3d study run smo", "ar3d verify x --crossing-test hal", "ar3d list named-")
         (self.folder / f"ask.{shell}").write_text(prepare + "".join(f"say {words}\n" for words in asked))
         self.assertEqual(self.run_in_folder(f"{shell} ask.{shell}"),
-                         "verify\nresume\ndiamond\n--tilt\ngraphml\ncycle\nsmoke\nslabs\nnamed-graphs\n", shell)
+                         "verify\nresume\ndiamond\n--tilt\ngraphml\ncycle\nsmoke\nhalving\nnamed-graphs\n", shell)
 
     def test_programs_of_the_library_page_compile_and_run(self):
         commands = "export PKG_CONFIG_PATH=$(dirname $(find $PWD/prefix -name ar3d.pc))\n"
@@ -116,7 +116,7 @@ class Installed(Page):
     def test_table_of_completions_holds_every_verb_and_its_words(self):
         table = self.run_in_folder(f"{SOURCE}/tools/completion {AR3D} table")
         self.expect("\n" + table, "\n\tdraw\tDraws every graph of files\t\n", "\nstudy\trun\tRuns a study and", "\nstudy run\t\t\t=studies\n",
-                    "\nhelp\t\t\tlist generate draw ", "\nverify\t--crossing-test\t", "\tautomatic all-pairs slabs\n",
+                    "\nhelp\t\t\tlist generate draw ", "\nverify\t--crossing-test\t", "\tautomatic all-pairs halving\n",
                     "\nreport\t--reference\tresults file of")
         self.run_in_folder(f"{SOURCE}/tools/completion {AR3D} csh", exit_code=2)
 

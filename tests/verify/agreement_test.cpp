@@ -39,7 +39,7 @@ void compare(const Draft& draft, Coverage& tally) {
   ++tally.drawings;
   tally.valid += expected.empty();
   for (const std::string& line : expected) ++tally.violations[line.substr(0, line.find(':'))];
-  ASSERT_EQ(findings(draft, CrossingTest::slabs), expected);
+  ASSERT_EQ(findings(draft, CrossingTest::halving), expected);
   ASSERT_EQ(findings(draft, CrossingTest::automatic), expected);
 }
 

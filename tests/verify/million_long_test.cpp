@@ -67,8 +67,8 @@ void draw_and_certify(const char* family, const char* name, const CertifyOptions
 
 TEST(Million, DiamondByCounting) { draw_and_certify("random-4-regular", "diamond", {}); }
 
-TEST(Million, TwoBendBySlabs) {
-  draw_and_certify("random-cubic", "two-bend", {.crossing_test = CrossingTest::slabs});
+TEST(Million, TwoBendByHalving) {
+  draw_and_certify("random-cubic", "two-bend", {.crossing_test = CrossingTest::halving});
 }
 
 }  // namespace

@@ -252,11 +252,11 @@ TEST_P(Violations, AreCountedUpToTheLimit) {
   }
 }
 
-constexpr const char* kCrossingTests[] = {"automatic", "all_pairs", "slabs"};
+constexpr const char* kCrossingTests[] = {"automatic", "all_pairs", "halving"};
 
 INSTANTIATE_TEST_SUITE_P(Tests, Violations,
                          ::testing::Values(CrossingTest::automatic, CrossingTest::all_pairs,
-                                           CrossingTest::slabs),
+                                           CrossingTest::halving),
                          [](const auto& info) {
                            return kCrossingTests[static_cast<std::size_t>(info.param)];
                          });

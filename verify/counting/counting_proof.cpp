@@ -4,10 +4,10 @@
 #include "ar3d/verify/counting/counting_proof.h"
 
 #include <atomic>
-#include <cstdlib>
 
 #include "ar3d/base/parallel.h"
 #include "ar3d/verify/checks/checks.h"
+#include "ar3d/verify/predicates/functional.h"
 
 namespace ar3d::verify {
 namespace {
@@ -18,14 +18,6 @@ constexpr std::uint64_t kMostWindows = 64;
 bool is_near(Point p) {
   const auto shifted = [](std::int64_t c) { return static_cast<std::uint64_t>(c) + kFar; };
   return ((shifted(p.x) | shifted(p.y) | shifted(p.z)) >> 31) == 0;
-}
-
-std::int64_t largest_coordinate(const Box& box) {
-  std::int64_t largest = 0;
-  for (const Point p : {box.low, box.high}) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  return largest;
 }
 
 /// 20 bytes for each of six segments of a polyline and more.

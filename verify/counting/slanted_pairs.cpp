@@ -137,7 +137,6 @@ std::optional<MeetingCounts> meetings_by_halving(const std::vector<SlantedSegmen
   const auto visit = [&](std::uint32_t i, std::uint32_t j) {
     const SlantedSegment& s = segments[i];
     const SlantedSegment& t = segments[j];
-    if (s.z > t.z + t.dz || t.z > s.z + s.dz || !overlap(active(s, i), active(t, j))) return true;
     const MeetingKind kind = meeting_kind_in(width, from(s), to(s), from(t), to(t));
     if (kind != MeetingKind::nothing) pairs.add(i, j, kind);
     return !pairs.too_many();

@@ -60,8 +60,8 @@ class Contacts {
 /// The oracle: every pair. O(S (S + n)) time, a box per segment.
 void test_all_pairs(const Segments& segments, Contacts& contacts);
 
-/// Cuts at the heights that no segment crosses, and searches each slab for near pairs. O((S + n)
-/// log S) time where segments are short, at most quadratic (Lemma V.8); O(S + n) memory.
-void test_by_slabs(const Segments& segments, Contacts& contacts);
+/// Searches for near pairs, by halving space. O((S + n) log S) time
+/// where segments are short, at most quadratic (Lemma V.8); O(S + n) memory.
+void test_by_halving(const Segments& segments, Contacts& contacts);
 
 }  // namespace ar3d::verify

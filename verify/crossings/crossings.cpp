@@ -1,9 +1,7 @@
 // The two crossing tests. One compares every pair: it is the oracle, so it stays plain. The other
-// cuts at the heights that no segment crosses, and each slab by halving space (Steps V.12 to V.14),
-// as the proof by counting does with slanted segments.
+// halves space (Steps V.12 to V.14), as the proof by counting does with slanted segments.
 #include <algorithm>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "ar3d/verify/crossings/contacts.h"
@@ -18,11 +16,6 @@ struct DrawnItem {
   bool is_vertex;
   Box box;
 };
-
-bool apart(const Box& a, const Box& b) {
-  return a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y ||
-         a.high.z < b.low.z || b.high.z < a.low.z;
-}
 
 /// All segments and then all vertices of the drawing.
 std::vector<DrawnItem> drawn_items(const Segments& segments) {
@@ -44,7 +37,7 @@ std::vector<DrawnItem> drawn_items(const Segments& segments) {
 /// Compares a segment with a segment or vertex that it may meet, unless their boxes are apart; the
 /// check of the vertices sees two vertices.
 void examine_pair(const DrawnItem& a, const DrawnItem& b, Contacts& contacts) {
-  if ((a.is_vertex && b.is_vertex) || apart(a.box, b.box)) return;
+  if ((a.is_vertex && b.is_vertex) || are_apart(a.box, b.box)) return;
   if (a.is_vertex) {
     contacts.examine_vertex(a.number, b.number);
   } else if (b.is_vertex) {
@@ -52,20 +45,6 @@ void examine_pair(const DrawnItem& a, const DrawnItem& b, Contacts& contacts) {
   } else {
     contacts.examine(a.number, b.number);
   }
-}
-
-void examine_slab(const Segments& segments, std::span<const DrawnItem> items, Contacts& contacts) {
-  const auto at = [&](std::uint32_t i) {
-    if (items[i].is_vertex) return SegmentInSpace{items[i].box.low, {}};
-    return SegmentInSpace{segments.from(items[i].number), segments.direction(items[i].number)};
-  };
-  const auto visit = [&](std::uint32_t i, std::uint32_t j) {
-    examine_pair(items[i], items[j], contacts);
-    return !contacts.done();
-  };
-  constexpr std::size_t kFew = 48;  // items in a cell
-  contacts.spend(for_each_near_pair(static_cast<std::uint32_t>(items.size()), at, visit, kFew,
-                                    contacts.comparisons_left(), contacts.compares));
 }
 
 }  // namespace
@@ -85,19 +64,20 @@ void test_all_pairs(const Segments& segments, Contacts& contacts) {
   }
 }
 
-void test_by_slabs(const Segments& segments, Contacts& contacts) {
-  std::vector<DrawnItem> items = drawn_items(segments);
-  std::sort(items.begin(), items.end(),
-            [](const DrawnItem& a, const DrawnItem& b) { return a.box.low.z < b.box.low.z; });
-  for (std::size_t begin = 0; begin < items.size() && !contacts.done();) {
-    std::int64_t highest = items[begin].box.high.z;
-    std::size_t end = begin + 1;
-    for (; end < items.size() && items[end].box.low.z <= highest; ++end) {
-      highest = std::max(highest, items[end].box.high.z);
-    }
-    examine_slab(segments, std::span(items).subspan(begin, end - begin), contacts);
-    begin = end;
-  }
+void test_by_halving(const Segments& segments, Contacts& contacts) {
+  const std::vector<DrawnItem> items = drawn_items(segments);
+  const auto at = [&](std::uint32_t i) {
+    const std::uint32_t number = items[i].number;
+    if (items[i].is_vertex) return SegmentInSpace{items[i].box.low, {}};
+    return SegmentInSpace{segments.from(number), segments.direction(number)};
+  };
+  const auto visit = [&](std::uint32_t i, std::uint32_t j) {
+    examine_pair(items[i], items[j], contacts);
+    return !contacts.done();
+  };
+  constexpr std::size_t kFew = 48;  // items in a cell
+  contacts.spend(for_each_near_pair(static_cast<std::uint32_t>(items.size()), at, visit, kFew,
+                                    contacts.comparisons_left(), contacts.compares));
 }
 
 }  // namespace ar3d::verify

@@ -1,13 +1,20 @@
 // Where space is halved, so that few segments are cut, and filters in double that drop pairs which
 // surely do not meet; Lemmas V.9 and V.10 bound their errors. The filter of Lemma V.9 alone leaves
-// all pairs of one plane to exact arithmetic: 10,000 segments in a plane took 47 s.
+// all pairs of one plane to exact arithmetic.
 #include "ar3d/verify/crossings/near_pairs.h"
+
+#include <map>
 
 namespace ar3d::verify {
 namespace {
 
 std::array<double, 3> rounded(Vector v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+std::int64_t triple(Vector u, Vector v, Vector w) {
+  const Vector n = plane_normal(u, v);
+  return n.x * w.x + n.y * w.y + n.z * w.z;
 }
 
 // Lemma V.10 bounds the errors.
@@ -29,6 +36,11 @@ bool has_on_one_side(const SegmentInSpace& line, const SegmentInSpace& other) {
 }
 
 }  // namespace
+
+bool are_apart(const Box& a, const Box& b) {
+  return a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y ||
+         a.high.z < b.low.z || b.high.z < a.low.z;
+}
 
 // Lemma V.9 bounds the errors.
 bool surely_skew(const SegmentInSpace& a, const SegmentInSpace& b) {
@@ -53,6 +65,32 @@ bool surely_apart(const SegmentInSpace& a, const SegmentInSpace& b) {
 }
 
 namespace near_pairs {
+
+Axes::Axes(const std::vector<Vector>& steps, const Box& box) {
+  constexpr double kLongest = 16;  // component of a rough direction
+  std::map<Vector, double> lengths;
+  for (const Vector step : steps) {
+    const auto d = rounded(step);
+    const double size = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+    if (size == 0) continue;
+    const auto part = [&](std::size_t axis) { return std::llround(kLongest / size * d[axis]); };
+    const Vector rough = primitive({part(0), part(1), part(2)});
+    lengths[std::min(rough, -rough)] += size;
+  }
+  std::vector<std::pair<double, Vector>> longest;
+  for (const auto& [d, length] : lengths) longest.emplace_back(length, d);
+  std::sort(longest.rbegin(), longest.rend());
+  for (const Vector unit : rows_) longest.emplace_back(0, unit);
+  std::vector<Vector> axes;
+  for (const auto& [length, d] : longest) {
+    if (axes.size() == 1 && parallel(axes[0], d)) continue;
+    if (axes.size() < 3 && !(axes.size() == 2 && triple(axes[0], axes[1], d) == 0))
+      axes.push_back(d);
+  }
+  // Rows have components up to 2 * 16^2.
+  if (largest_coordinate(box) > kMaxCoordinate / (6 * 16 * 16)) return;
+  for (std::size_t i = 0; i < 3; ++i) rows_[i] = plane_normal(axes[(i + 1) % 3], axes[(i + 2) % 3]);
+}
 
 Shifts shifts_for(const Box& box) {
   constexpr int kFinest = 20;

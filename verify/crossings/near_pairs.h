@@ -24,6 +24,8 @@ struct SegmentInSpace {
   Vector step;
 };
 
+/// True if the boxes of two segments have no point in common.
+bool are_apart(const Box& a, const Box& b);
 /// True only if no line contains both segments and no plane does: their triple product, computed
 /// in double, is larger than all its rounding errors. @pre coordinates are in range.
 bool surely_skew(const SegmentInSpace& a, const SegmentInSpace& b);
@@ -32,6 +34,27 @@ bool surely_skew(const SegmentInSpace& a, const SegmentInSpace& b);
 bool surely_apart(const SegmentInSpace& a, const SegmentInSpace& b);
 
 namespace near_pairs {
+
+/// Coordinates whose axes are roughly the directions that add up to most: then the boxes of most segments are
+/// flat, and planes across an axis cut few of them. The map is linear and moves no two points
+/// together.
+class Axes {
+ public:
+  /// @param steps  of some segments. @param box  of all; far from the origin the axes stay.
+  Axes(const std::vector<Vector>& steps, const Box& box);
+  SegmentInSpace operator()(const SegmentInSpace& s) const {
+    const Vector from = image({s.from.x, s.from.y, s.from.z});
+    return {{from.x, from.y, from.z}, image(s.step)};
+  }
+
+ private:
+  Vector image(Vector v) const {
+    const auto value = [v](Vector row) { return row.x * v.x + row.y * v.y + row.z * v.z; };
+    return {value(rows_[0]), value(rows_[1]), value(rows_[2])};
+  }
+
+  std::array<Vector, 3> rows_{Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}};
+};
 
 /// A segment in a cell: all its points there have begin <= t <= end.
 struct Piece {
@@ -169,12 +192,20 @@ class Search {
     const std::uint64_t size = pieces_.size() - begin, pairs = size * (size - 1) / 2;
     if (pairs > kMany && compares_) compares_(pairs);
     cell_.clear();
-    for (std::size_t i = begin; i < pieces_.size(); ++i) cell_.push_back(at_(pieces_[i].segment));
+    for (std::size_t i = begin; i < pieces_.size(); ++i) {
+      const SegmentInSpace s = at_(pieces_[i].segment);
+      GrowingBox box;
+      box.add(s.from);
+      box.add(s.from + s.step);
+      cell_.emplace_back(box.box(), s);
+    }
     for (std::size_t i = 1; i < cell_.size() && !is_stopped_; ++i) {
       compared_ += i;
       is_stopped_ = compared_ > most_;
       for (std::size_t j = 0; j < i && !is_stopped_; ++j) {
-        if (surely_skew(cell_[i], cell_[j]) || surely_apart(cell_[i], cell_[j])) continue;
+        const auto& [box, s] = cell_[i];
+        const auto& [other_box, t] = cell_[j];
+        if (are_apart(box, other_box) || surely_skew(s, t) || surely_apart(s, t)) continue;
         is_stopped_ = !visit_(pieces_[begin + i].segment, pieces_[begin + j].segment);
       }
     }
@@ -192,13 +223,13 @@ class Search {
   std::vector<Piece> pieces_;  ///< of the cell at hand, and of those that wait on the way to it
   std::vector<Piece> above_;
   std::array<std::vector<Reached>, 3> sample_;
-  std::vector<SegmentInSpace> cell_;
+  std::vector<std::pair<Box, SegmentInSpace>> cell_;
 };
 
 }  // namespace near_pairs
 
-/// Calls visit(i, j) for pairs i != j of the segments at(0), ..., at(size - 1), among them every
-/// pair that meets; some of them more than once; until it returns false. O(size log size) time
+/// Calls visit(i, j) for pairs i != j of the segments at(0), ..., at(size - 1) whose boxes meet, among
+/// them every pair that meets; some of them more than once; until it returns false. O(size log size) time
 /// where segments are short, about O(size^1.5) where long ones are spread evenly, never more than
 /// O(size^2). Memory: 12 bytes for each segment of the cells on one path, about 40 bytes per
 /// segment.
@@ -211,16 +242,28 @@ std::uint64_t for_each_near_pair(std::uint32_t size, const SegmentAt& at, Visit&
                                  std::size_t few = 48,
                                  std::uint64_t most = std::numeric_limits<std::uint64_t>::max(),
                                  const std::function<void(std::uint64_t)>& compares = {}) {
+  constexpr std::uint32_t kSample = 1000;  // steps that choose the axes
   GrowingBox box;
   std::vector<near_pairs::Piece> all;
+  std::vector<Vector> steps;
   all.reserve(size);
   for (std::uint32_t i = 0; i < size; ++i) {
     const SegmentInSpace s = at(i);
     box.add(s.from);
     box.add(s.from + s.step);
     all.push_back({i, 0, 1});
+    if (i % (size / kSample + 1) == 0) steps.push_back(s.step);
   }
-  near_pairs::Search search(near_pairs::shifts_for(box.box()), at, visit, few, most, compares);
+  const near_pairs::Axes axes(steps, box.box());
+  const auto seen = [&](std::uint32_t i) { return axes(at(i)); };
+  GrowingBox seen_box;
+  for (std::uint32_t i = 0; i < size; ++i) {
+    const SegmentInSpace s = seen(i);
+    seen_box.add(s.from);
+    seen_box.add(s.from + s.step);
+  }
+  near_pairs::Search search(near_pairs::shifts_for(seen_box.box()), seen, visit, few, most,
+                            compares);
   return search.run(std::move(all));
 }
 

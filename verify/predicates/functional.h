@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
-#include "ar3d/model/lattice.h"
+#include "ar3d/model/drawing.h"
 #include "ar3d/verify/predicates/exact.h"
 
 namespace ar3d::verify {
@@ -15,6 +16,15 @@ inline std::int64_t component(Vector v, std::size_t axis) {
 }
 inline std::int64_t component(Point p, std::size_t axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/// The largest absolute value.
+inline std::int64_t largest_coordinate(const Box& box) {
+  std::int64_t largest = 0;
+  for (const Point p : {box.low, box.high}) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  return largest;
 }
 
 /// d x (unit vector of the axis): a functional that vanishes along d, with d's coefficients.
