@@ -1,7 +1,8 @@
 // Steps R.6 and R.7, the boxes. The placement is scaled into a first box, which grows by layers while
-// few edges in conflict are left. Then layouts are scaled into smaller boxes, all edges routed anew.
-// Where that fails, layers are cut off, one face after the other, and only what lay in them is routed
-// anew. Cost: the searches, of which each effort has a count; a box holds 5 bytes a point.
+// few edges in conflict are left. Then the layout is scaled into smaller boxes, all edges routed
+// anew, until that fails once. At last layers are cut off, one face after the other, and only what lay
+// in them is routed anew. Cost: the searches, of which each effort has a count; a box holds 5 bytes a
+// point.
 #include "ar3d/algorithms/routed/boxes.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ constexpr std::uint64_t kSeed = 0x726f75746564;  // any fixed number
 constexpr std::uint64_t kStepsPerVertex = 4000;  // of the annealing
 constexpr int kPatience = 25;                    // rounds without gain, all edges routed anew
 constexpr int kPatienceOfCuts = 15;
+constexpr std::uint64_t kSearchesOfScaled = 10;  // for each edge, in a box that is scaled
 constexpr int kFirstBoxes = 10;
 constexpr int kMostLayers = 5;  // that a box grows by before it is given up
 
@@ -28,13 +30,15 @@ class BoxSearch {
 
   std::optional<Routing> run() {
     const std::uint64_t edges = graph_.num_edges();
-    const std::uint64_t usual = std::min(300 * edges + 5000, 100 * edges + 40000);  // of effort 1
+    const std::uint64_t usual = std::min(300 * edges + 5000, 50 * edges + 40000);  // of effort 1
     most_searches_ = 2 * usual;
     if (find_first() && options_.effort > 0) {
       most_searches_ = counts_.searches + (options_.effort == 2 ? 10 * usual : usual);
       scale_down();
       cut_off_layers();
     }
+    expect(!best_ || is_drawing(graph_, points_, bends_, *best_),
+           "a routing without conflicts is a drawing");
     return std::move(best_);
   }
 
@@ -57,7 +61,6 @@ class BoxSearch {
       counts_.conflicts = conflicts;
       return false;
     }
-    expect(is_drawing(graph_, points_, bends_, last_), "a routing without conflicts is a drawing");
     ++counts_.legal;
     best_ = last_;
     best_->layout.limits = tight_limits(graph_, points_, last_);
@@ -87,17 +90,19 @@ class BoxSearch {
     return false;
   }
 
-  /// Boxes of sides smaller by 5 %, then 2.5 %, 1.25 % and so on after failures; at last by a layer.
+  /// Boxes of sides smaller by 5 %, until one is not legal soon.
   void scale_down() {
-    for (int fraction = 20; may_go_on();) {
+    const std::uint64_t most = most_searches_;
+    while (may_go_on()) {
       const Spot sides = best_->layout.limits.sides();
-      const auto last = [&](int side) { return side - 1 - std::max(1, side / fraction); };
+      const auto last = [&](int side) { return side - 1 - std::max(1, side / 20); };
       const Limits box{{0, 0, 0}, {last(sides.x), last(sides.y), last(sides.z)}};
       if (box.high.x < 1 || box.high.y < 1 || box.high.z < 1) return;
       const auto layout = rescaled(points_, best_->layout, box);
-      if (layout && try_box({*layout, {}}, kPatience)) continue;
-      if (fraction > best_->layout.limits.longest()) return;
-      fraction *= 2;
+      most_searches_ = std::min(most, counts_.searches + kSearchesOfScaled * graph_.num_edges());
+      const bool is_legal = layout && try_box({*layout, {}}, kPatience);
+      most_searches_ = most;
+      if (!is_legal) return;
     }
   }
 
@@ -132,8 +137,11 @@ class BoxSearch {
 }  // namespace
 
 Limits first_box(const PointClass& points, int bends, std::uint64_t n) {
-  // c sqrt(n) + a, c in twentieths; it grows if no box is legal.
-  const std::int64_t c = points.is_body() ? (bends == 5 ? 53 : 70) : (bends == 5 ? 33 : 40);
+  // c sqrt(n) + 3, c in twentieths; it grows if no box is legal.
+  const std::int64_t above = n > 1000 ? static_cast<std::int64_t>(n) - 1000 : 0;
+  const std::int64_t c = points.is_body()
+                             ? (bends == 5 ? 53 + above * 3 / 1000 : 70 + above / 80)
+                             : (bends == 5 ? 33 + above / 1200 : 40 + above * 9 / 5000);
   std::int64_t side = 0;
   while (400 * side * side < c * c * static_cast<std::int64_t>(n)) ++side;
   side += 3;

@@ -25,7 +25,7 @@ struct BoxCounts {
 Limits first_box(const PointClass& points, int bends, std::uint64_t n);
 
 /// Routes a graph with vertices in boxes that get smaller.
-/// @return the smallest drawing found, each checked by is_drawing(); none if no box was legal.
+/// @return the smallest drawing found, checked by is_drawing(); none if no box was legal.
 std::optional<Routing> smallest_routing(const Graph& graph, const PointClass& points, int bends,
                                         const BoxOptions& options, BoxCounts& counts);
 
