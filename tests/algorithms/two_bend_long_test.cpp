@@ -65,7 +65,7 @@ TEST(TwoBendLong, EveryFamilyWith10000VerticesAgreesWithTheOracle) {
       const auto& [name, graph] = inputs[i];
       SCOPED_TRACE(name);
       const Drawing drawing = two_bend::draw(graph);
-      for (const CrossingTest test : {CrossingTest::all_pairs, CrossingTest::slabs}) {
+      for (const CrossingTest test : {CrossingTest::all_pairs, CrossingTest::halving}) {
         const Certificate certificate =
             certify(graph, drawing, find_algorithm("two-bend").guarantee, {.crossing_test = test});
         EXPECT_TRUE(certificate.valid() && certificate.complete)
