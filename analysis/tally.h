@@ -141,8 +141,8 @@ struct CurveTally {
   /// column.
   double volume_over_least = kMissing;
   double times_the_optimum = kMissing;  ///< of all graphs that have it, median
-  std::string theorem_formula;    ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
-  std::string published_formula;  ///< empty if no bound is published
+  std::string theorem_formula;          ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
+  std::string published_formula;        ///< empty if no bound is published
 
   std::size_t count(RunStatus status) const {
     return rows_of_status[static_cast<std::size_t>(status)];

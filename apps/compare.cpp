@@ -84,7 +84,12 @@ bool knows_commit(const std::string& commit) {
 /// A command that takes turns and can be given where this one was; empty: there is none.
 std::string remedy(const Results& base, const Results& now, const std::string& now_path) {
   const std::string study = "--study " + shell_word(now_path);
-  const StudySpec spec = recorded_study(now, now_path).spec;
+  StudySpec spec;
+  try {
+    spec = recorded_study(now, now_path).spec;
+  } catch (const InputError&) {
+    return "";  // another version's: this one cannot run it
+  }
   if (spec.programs.empty()) {
     if (!knows_commit(base.source_hash) || checkout_here().empty()) return "";
     return fmt::format("ar3d compare --base {} {}", base.source_hash.substr(0, 12), study);

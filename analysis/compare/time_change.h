@@ -59,10 +59,10 @@ std::vector<double> adjusted_p_values(std::span<const double> p_values);
 
 /// Tells when a change of time counts.
 struct TimeRule {
-  double threshold = 0.05;             ///< smaller changes do not matter: 0.05 is 5 %
-  double significance = 0.001;         ///< largest two-sided p-value of one cell
+  double threshold = 0.05;              ///< smaller changes do not matter: 0.05 is 5 %
+  double significance = 0.001;          ///< largest two-sided p-value of one cell
   double false_discovery_rate = 0.002;  ///< largest adjusted p-value over all cells
-  double confidence = 0.95;            ///< of the interval of a cell's ratio
+  double confidence = 0.95;             ///< of the interval of a cell's ratio
 };
 
 enum class TimeChange {

@@ -1,7 +1,5 @@
 // Two versions of something become settings of one study, whose timing phase draws them in turns.
 // The study is made as the text of a specification, so that its results say what was run.
-#include "ar3d/bench/compare/interleave.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,6 +12,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/spec/toml_table.h"
 
 namespace ar3d {

@@ -216,7 +216,8 @@ TEST_F(Programs, CrossingsThatWereNotCountedHaveAReason) {
 TEST_F(Programs, JudgingTheirDrawingsEndsToo) {
   const std::string path = program("zigzag.py", R"(
     side = lambda i: i % 2 * (10**6 + 3 * i)
-    bends = [[side(i) + i, side(i) - i, 0] for i in range(20000 if n > 2 else 0)]
+    bends = [[side(i) * a - i * b, side(i) * b + i * a, 9 * a + b]  # nine directions, a plane each
+             for a in range(1, 4) for b in range(1, 4) for i in range(5000 if n > 2 else 0)]
     drawn = [[u, v, bends if e == 0 else []] for e, (u, v) in enumerate(edges)]
     say(json.dumps({"vertices": [[-i, i * i, 7] for i in range(n)], "edges": drawn}) + "\n"))");
   const std::vector<RunRecord> measured = rows(study(path, "", "include = { to = 5 }"));
