@@ -19,6 +19,8 @@ struct Examination {
   Certificate certificate;
   DrawingSummary summary;    ///< metric_values(summary) are the metrics
   std::string drawing_hash;  ///< as of drawing_hash()
+  double certify_s = 0;      ///< wall time of the proof, or of the assessment in a real type
+  double metrics_s = 0;      ///< wall time of summary and hash, which threads make beside the proof
 };
 
 /// certify(), measure() and drawing_hash() together: every polyline is computed once for all of

@@ -141,8 +141,10 @@ void time_columns(RecordPass& c, Run& r) {
   c.number("cpu_s", "s", r.cpu_s, "CPU time of the drawing thread, drawing only");
   c.number("store_s", "s", r.store_s,
            "wall time of storing positions or bends; missing at level extents");
-  c.number("certify_s", "s", r.certify_s,
-           "wall time of certifying the drawing, with its metrics and hash");
+  c.number(
+      "certify_s", "s", r.certify_s,
+      "wall time of judging the drawing; in files without metrics_s with its metrics and hash");
+  c.number("metrics_s", "s", r.metrics_s, "wall time of the drawing's metrics and hash");
   c.number("write_s", "s", r.write_s, "wall time of formatting the drawing as JSON lines");
   c.number("concurrency", "1", r.concurrency, "rows that this study makes at the same time");
   c.number("core", "1", r.core, "core that the row was pinned to; missing if none");

@@ -105,6 +105,7 @@ struct RunRecord {
   double cpu_s = kMissing;    ///< drawing only, CPU time of the thread
   double store_s = kMissing;  ///< storing positions or bends, as the level asks
   double certify_s = kMissing;
+  double metrics_s = kMissing;
   double write_s = kMissing;      ///< formatting the drawing as JSON lines into nothing
   std::int64_t concurrency = -1;  ///< rows that this study makes at the same time
   std::int64_t core = -1;         ///< core that the row was pinned to

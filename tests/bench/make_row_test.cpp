@@ -39,7 +39,7 @@ TEST(MakeRow, FillsARow) {
     EXPECT_NEAR(run.slack[axis],
                 1 - static_cast<double>(run.extents[axis]) / run.theorem_bound[axis], 1e-12);
   }
-  for (const double time : {run.generate_s, run.wall_s, run.cpu_s, run.certify_s}) {
+  for (const double time : {run.generate_s, run.wall_s, run.cpu_s, run.certify_s, run.metrics_s}) {
     EXPECT_GE(time, 0);
     EXPECT_LT(time, 10);
   }

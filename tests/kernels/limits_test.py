@@ -57,8 +57,8 @@ class Limits(Program):
             self.assertGreater(number(measured), 0, cells)
             self.assertEqual(met, "  ", cells)
         names = [f"draw/{algorithm}/{family}/effort:1/n:1000" for algorithm, family in DRAWN.items()]
-        names += [f"{stage}/{algorithm}/n:1000" for stage in ("certify", "measure", "memory/certify") for algorithm in DRAWN]
-        names += ["machine/chain/mib:1", "draw/boost_search/random-cubic/n:1000", "draw/diamond/random-4-regular/effort:0/n:1000",
+        names += [f"{stage}/{algorithm}/n:1000" for stage in ("certify", "measure", "closest", "memory/certify") for algorithm in DRAWN]
+        names += ["machine/chain/mib:1", "bisect/random-cubic/n:1000", "draw/boost_search/random-cubic/n:1000", "draw/diamond/random-4-regular/effort:0/n:1000",
                   "threads/draw/diamond/effort:0/threads:2/n:1000", "at_once/draw/diamond/effort:0/n:1000/threads:2",
                   "threads/certify/diamond/threads:2/n:1000", "memory/draw/diamond/n:1000", "memory/draw_and_measure/diamond/n:1000",
                   "memory/whole/diamond/n:1000", "read/graphml/ours/n:1000", "crossings/cgal/n:1000", "generate/nauty-genrang/3/n:1000",

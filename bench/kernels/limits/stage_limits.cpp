@@ -4,6 +4,8 @@
 //   draw/boost_search/FAMILY/n:N        Boost.Graph's search of the same graph
 //   certify/ALGORITHM/n:N               the proof of that drawing
 //   measure/ALGORITHM/n:N               its metrics and hash
+//   closest/ALGORITHM/n:N               its closest pair of vertices
+//   bisect/FAMILY/n:N                   the cut of a graph for volume_at_least, n up to 16,384
 //   memory/WORK/ALGORITHM/n:N           bytes at their highest beyond those before the work
 #include <fmt/format.h>
 #include <malloc.h>
@@ -20,6 +22,8 @@
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/model/boost_graph.h"
 #include "ar3d/verify/examination.h"
+#include "ar3d/verify/metrics/closest_pair.h"
+#include "ar3d/verify/metrics/volume_bound.h"
 #include "limits.h"
 
 namespace ar3d::kernels {
@@ -102,6 +106,23 @@ void measure_limit(State& state, const Algorithm& algorithm) {
   count(state, graph);
 }
 
+void closest_limit(State& state, const Algorithm& algorithm) {
+  const Graph& graph = graph_of(random_family(algorithm), size_of(state));
+  const Drawing& drawing = drawing_of(algorithm, size_of(state));
+  for (auto _ : state) benchmark::DoNotOptimize(verify::closest_pair(drawing));
+  count(state, graph);
+}
+
+void bisect_limit(State& state, const Family& family) {
+  const Graph& graph = graph_of(family, size_of(state));
+  for (auto _ : state) {
+    GraphNeeds needs = needs_of(graph);
+    seek_bisection(graph, find_algorithm("compact").guarantee, needs);
+    state.counters["bisection"] = static_cast<double>(needs.bisection);
+  }
+  count(state, graph);
+}
+
 /// Sets the counter `bytes` to what `work` takes at its highest beyond what is there before.
 void measure_bytes(State& state, const std::function<void()>& work) {
   const OneThread one_thread;
@@ -175,6 +196,8 @@ void register_stages() {
     };
     add("search", search_limit);
     add("boost_search", boost_search_limit);
+    add_limit(fmt::format("bisect/{}", name), {1'000, 10'000},
+              [&family](State& state) { bisect_limit(state, family); });
   }
   for (const Algorithm* row : proved_algorithms()) {
     const Algorithm& algorithm = *row;
@@ -186,6 +209,7 @@ void register_stages() {
     }
     add_sizes("certify/" + name, algorithm, certify_limit);
     add_sizes("measure/" + name, algorithm, measure_limit);
+    add_sizes("closest/" + name, algorithm, closest_limit);
     add_sizes("memory/certify/" + name, algorithm, certificate_memory);
   }
 }
