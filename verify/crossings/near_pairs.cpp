@@ -88,7 +88,7 @@ Axes::Axes(const std::vector<Vector>& steps, const Box& box) {
       axes.push_back(d);
   }
   // Rows have components up to 2 * 16^2.
-  if (largest_coordinate(box) > kMaxCoordinate / (6 * 16 * 16)) return;
+  if (largest_coordinate(box) > kMaxCoordinate / (std::int64_t{6} * 16 * 16)) return;
   for (std::size_t i = 0; i < 3; ++i) rows_[i] = plane_normal(axes[(i + 1) % 3], axes[(i + 2) % 3]);
 }
 
