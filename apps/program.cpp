@@ -180,6 +180,7 @@ int run(int argc, char** argv) {
   app.option_defaults()->always_capture_default();
   int exit_code = ar3d::kPass;
   ar3d::manner = {};
+  ar3d::accept_changed_results = false;
   ar3d::register_program_formats();
   using namespace ar3d;
   for (const auto add : {add_list, add_generate, add_draw, add_view, add_play, add_verify,

@@ -38,14 +38,11 @@ std::uint32_t least_name(std::uint32_t n, const std::vector<Edge>& edges) {
 using OptimumKey = std::tuple<DrawnSteps, std::uint32_t, std::uint32_t, std::uint32_t>;
 
 std::vector<Edge> edges_of_graph6(const std::string& word) {
-  const auto bit = [&](std::uint32_t i) {
-    return ((word[1 + i / 6] - 63) >> (5 - i % 6) & 1) != 0;
-  };
   std::vector<Edge> edges;
   const auto n = static_cast<std::uint32_t>(word[0] - 63);
   for (Vertex v = 1, i = 0; v < n; ++v) {
     for (Vertex u = 0; u < v; ++u, ++i) {
-      if (bit(i)) edges.push_back({u, v});
+      if (((word[1 + i / 6] - 63) >> (5 - i % 6) & 1) != 0) edges.push_back({u, v});
     }
   }
   return edges;
@@ -57,8 +54,7 @@ std::map<OptimumKey, std::int64_t> read_known_optima() {
   std::string line;
   for (std::getline(lines, line); std::getline(lines, line);) {  // without the head
     std::istringstream text(line);
-    std::array<std::string, 10>
-        cells;  // set, graph6, name, n, m, angle, bends, plane, least, volume
+    std::array<std::string, 10> cells;  // from set to volume
     for (std::string& cell : cells) std::getline(text, cell, ',');
     const auto n = static_cast<std::uint32_t>(cells[1].at(0) - 63);
     if (n > kMostNamed || cells[7] != "0" || cells[8] != cells[9]) continue;
@@ -77,6 +73,8 @@ std::int64_t known_optimum(const Graph& graph, const Guarantee& guarantee) {
   const DrawnSteps steps = steps_of(guarantee);
   const std::uint32_t n = graph.num_vertices();
   if (n < 2 || n > kMostNamed || steps == DrawnSteps::any) return -1;
+  const auto of_n = known.lower_bound({steps, guarantee.max_bends, n, 0});
+  if (of_n == known.end() || std::get<2>(of_n->first) != n) return -1;  // a name costs n! steps
   const auto found =
       known.find({steps, guarantee.max_bends, n, least_name(n, *graph.shared_edges())});
   return found == known.end() ? -1 : found->second;
