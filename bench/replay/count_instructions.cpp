@@ -209,7 +209,8 @@ std::vector<DrawingCounts> count_answers(const ExternalAlgorithm& program,
   for (const RunRecord* row : rows) {
     const std::string request = request_of(program, graph_of(plan_of_row(*row, origin)));
     for (std::size_t i = 0; i <= kCountedAnswers; ++i) {
-      process.ask(request, kSlowedBy * program.limit_s(row->n), kMostBytes);
+      process.ask(request, kSlowedBy * program.limit_s(static_cast<std::uint64_t>(row->n)),
+                  kMostBytes);
       const int code =
           run_child({"vgdb", "--vgdb-prefix=" + folder + "/vgdb", "dump"},
                     {.output = "/dev/null", .ends_when_interrupted = true, .limit_s = 60});
