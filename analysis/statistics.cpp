@@ -20,9 +20,9 @@ double quantile(std::vector<double> values, double p) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
   if (values.empty()) return kNone;
   std::sort(values.begin(), values.end());
-  const double place = p * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const double fraction = place - static_cast<double>(below);
+  const double rank = p * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  const double fraction = rank - static_cast<double>(below);
   if (fraction == 0) return values[below];  // also keeps infinities out of the interpolation
   return values[below] + fraction * (values[below + 1] - values[below]);
 }

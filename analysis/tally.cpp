@@ -17,14 +17,14 @@ constexpr std::size_t kMostGraphs = 200000;  // kept with all their numbers
 constexpr std::size_t kMostSizes = 200000;
 constexpr std::size_t kMostOfASize = 4096, kLeastOfASize = 8;
 constexpr std::size_t kMostCensored = 1000, kMostBatches = 10000;
-constexpr std::size_t kTimed = 9;  // place of the timing phase in log_sum
+constexpr std::size_t kTimed = 9;  // index of the timing phase in log_sum
 
 bool is_censored(RunStatus status) {
   return status == RunStatus::timeout || status == RunStatus::out_of_memory ||
          status == RunStatus::crashed;
 }
 
-// What decides whether a graph is in the sample: a fixed shuffle (SplitMix64) of seed and place, so
+// What decides whether a graph is in the sample: a fixed shuffle (SplitMix64) of seed and index, so
 // that the curves keep the same graphs.
 std::uint64_t priority(const DrawnGraph& graph) {
   std::uint64_t z =
@@ -106,7 +106,7 @@ class Tallying {
   StudyTally finish();
 
  private:
-  CurveTally* curve_for(const RunRecord& run, std::int64_t n, std::size_t& place);
+  CurveTally* curve_for(const RunRecord& run, std::int64_t n, std::size_t& index);
   void add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& open);
   void add_batch(const RunRecord& run, const CurveKey& key);
   void conclude(OpenGraph open);
@@ -114,28 +114,28 @@ class Tallying {
 
   std::vector<AlgorithmRecord> algorithms_;
   StudyTally tally_;
-  std::map<CurveKey, std::size_t> place_of_;
+  std::map<CurveKey, std::size_t> index_of_;
   std::unordered_map<std::string, OpenGraph> open_;
   std::size_t sizes_ = 0, kept_ = 0, most_ = kMostOfASize;
 };
 
 // Null if there is no room for another curve or size.
-CurveTally* Tallying::curve_for(const RunRecord& run, std::int64_t n, std::size_t& place) {
+CurveTally* Tallying::curve_for(const RunRecord& run, std::int64_t n, std::size_t& index) {
   const CurveKey key = curve_of(run);
-  const auto at = place_of_.find(key);
-  if (at == place_of_.end()) {
+  const auto at = index_of_.find(key);
+  if (at == index_of_.end()) {
     if (sizes_ >= kMostSizes) return nullptr;
-    place = tally_.curves.size();
-    place_of_.emplace(key, place);
+    index = tally_.curves.size();
+    index_of_.emplace(key, index);
     const AlgorithmRecord* record = find_algorithm_record(algorithms_, key.algorithm, key.options);
     const bool has_own_unit = record != nullptr && !record->theorem.promises_box();
     CurveTally& curve = tally_.curves.emplace_back();
     curve.key = key;
     curve.has_own_unit = has_own_unit;
   } else {
-    place = at->second;
+    index = at->second;
   }
-  CurveTally& curve = tally_.curves[place];
+  CurveTally& curve = tally_.curves[index];
   if (!curve.sizes.contains(n)) {
     if (sizes_ >= kMostSizes) return nullptr;
     ++sizes_;
@@ -225,12 +225,12 @@ void add_slacks(const DrawnGraph& graph, std::array<AxisBounds, 3>& axes) {
 }
 
 void add_logs(const DrawnGraph& graph, SizeTally& size) {
-  for (std::size_t place = 0; place <= kTimed; ++place) {
-    const bool timed = place == kTimed;
-    const double log = log_value(graph, timed ? Quantity::wall_s : kQuantities[place], timed);
+  for (std::size_t index = 0; index <= kTimed; ++index) {
+    const bool timed = index == kTimed;
+    const double log = log_value(graph, timed ? Quantity::wall_s : kQuantities[index], timed);
     if (std::isnan(log)) continue;
-    size.log_sum[place] += log;
-    ++size.log_count[place];
+    size.log_sum[index] += log;
+    ++size.log_count[index];
   }
 }
 
@@ -307,7 +307,7 @@ double DrawnGraph::share() const {
 }
 
 double log_value(const DrawnGraph& graph, Quantity quantity, bool timed) {
-  const auto place = static_cast<std::size_t>(quantity);
+  const auto index = static_cast<std::size_t>(quantity);
   constexpr auto x = static_cast<std::size_t>(Quantity::extent_x);
   constexpr auto skewed_x = static_cast<std::size_t>(Quantity::skewed_x);
   const auto log = [](std::int64_t extent) { return log_positive(static_cast<double>(extent)); };
@@ -317,13 +317,13 @@ double log_value(const DrawnGraph& graph, Quantity quantity, bool timed) {
     const double log_volume = graph.log2_volume * std::numbers::ln2;
     return std::isfinite(log_volume) ? log_volume : kMissing;
   }
-  return log(place >= skewed_x ? graph.skewed[place - skewed_x] : graph.extents[place - x]);
+  return log(index >= skewed_x ? graph.skewed[index - skewed_x] : graph.extents[index - x]);
 }
 
 double metric_of(const DrawnGraph& graph, std::string_view name) {
   const auto at = std::ranges::find(metrics(), name, &Metric::name);
-  const auto place = static_cast<std::size_t>(at - metrics().begin());
-  return place < graph.metrics.size() ? graph.metrics[place] : kMissing;
+  const auto index = static_cast<std::size_t>(at - metrics().begin());
+  return index < graph.metrics.size() ? graph.metrics[index] : kMissing;
 }
 
 double log_volume_at_least(const DrawnGraph& graph) {
@@ -331,9 +331,9 @@ double log_volume_at_least(const DrawnGraph& graph) {
 }
 
 double SizeTally::mean_log(Quantity quantity, bool timed) const {
-  const std::size_t place =
+  const std::size_t index =
       quantity == Quantity::wall_s && timed ? kTimed : static_cast<std::size_t>(quantity);
-  return log_count[place] == 0 ? kMissing : log_sum[place] / static_cast<double>(log_count[place]);
+  return log_count[index] == 0 ? kMissing : log_sum[index] / static_cast<double>(log_count[index]);
 }
 
 StudyTally tally_of(const Rows& rows, const std::vector<bool>& is_last_repetition) {

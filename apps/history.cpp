@@ -28,7 +28,7 @@ constexpr std::size_t kHashDigits = 12;  // of a commit's name
 struct HistoryArguments {
   std::string folder = kFolder;
   std::string results;  // of `add`, as the next two
-  std::int64_t place = -1;
+  std::int64_t index = -1;
   std::string name;
   std::string output;  // of `report`, as the next two
   std::string json;
@@ -87,10 +87,10 @@ std::string measured_version(const HistoryArguments& arguments, const Rows& rows
   return version;
 }
 
-std::int64_t place_of(const HistoryArguments& arguments, const std::string& version) {
-  if (arguments.place >= 0) return arguments.place;
-  const std::int64_t place = is_commit(version) ? commits_up_to(version) : -1;
-  if (place >= 0) return place;
+std::int64_t index_of(const HistoryArguments& arguments, const std::string& version) {
+  if (arguments.index >= 0) return arguments.index;
+  const std::int64_t index = is_commit(version) ? commits_up_to(version) : -1;
+  if (index >= 0) return index;
   throw InputError(
       fmt::format("git in the working directory does not know the commit '{}' of {}: say with "
                   "--place where it stands in the order",
@@ -120,12 +120,12 @@ int add_results(const HistoryArguments& arguments) {
   const Rows rows(arguments.results);
   const StudyIdentity& study = rows.identity();
   const std::string own = measured_version(arguments, rows);
-  const std::int64_t place = place_of(arguments, own);
+  const std::int64_t index = index_of(arguments, own);
   const std::string name = !arguments.name.empty() ? arguments.name
                            : is_commit(own)        ? own.substr(0, kHashDigits)
                                                    : own;
   const std::string path =
-      arguments.folder + "/" + history_file_name(place, name, study, rows.environment());
+      arguments.folder + "/" + history_file_name(index, name, study, rows.environment());
   refuse_unsafe_outputs({.inputs = {arguments.results},
                          .outputs = {path},
                          .force = arguments.force,
@@ -184,7 +184,7 @@ void add_add(CLI::App& history, int& exit_code) {
   verb->add_option("RESULTS", arguments->results, "results file (HDF5) of a finished study")
       ->required();
   verb->add_option("--folder", arguments->folder, "where the history is; made if it is not there");
-  verb->add_option("--place", arguments->place,
+  verb->add_option("--place", arguments->index,
                    "where the results stand in the order; the number of commits up to the "
                    "program's, by git, if left out")
       ->check(whole_number(0, 999999999));

@@ -148,8 +148,8 @@ int hunt_and_show(HuntArguments arguments) {
   const std::string which =
       !arguments.row.empty() ? "row " + arguments.row
       : result.start.corpus && arguments.inputs.size() > 1
-          ? fmt::format("({})", result.start.corpus->graph_name(result.start_place))
-      : result.start.corpus ? fmt::format("graph {}", result.start_place)
+          ? fmt::format("({})", result.start.corpus->graph_name(result.start_index))
+      : result.start.corpus ? fmt::format("graph {}", result.start_index)
                             : fmt::format("with seed {}", result.start_seed);
   nlohmann::ordered_json json = trial_json(result.best, arguments);
   json.update({{"evaluations", result.evaluations},

@@ -22,8 +22,8 @@ namespace {
 std::filesystem::path installed_page() {
   std::error_code error;
   const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  for (const char* place : {"../share/ar3d/play.html", "../../playground/play.html"}) {
-    auto page = (folder / place).lexically_normal();
+  for (const char* candidate : {"../share/ar3d/play.html", "../../playground/play.html"}) {
+    auto page = (folder / candidate).lexically_normal();
     if (std::filesystem::is_regular_file(page, error)) return page;
   }
   throw InputError(

@@ -196,11 +196,11 @@ void Rows::read(const FiledRow& row, char* record) const {
   if (index_.empty()) return;  // the numbers are those of the one file
   std::int64_t number = -1;
   std::memcpy(&number, record + session.offset, sizeof(number));
-  const auto place = static_cast<std::size_t>(number);
-  if (number < 0 || place >= source.session_numbers.size()) {
+  const auto index = static_cast<std::size_t>(number);
+  if (number < 0 || index >= source.session_numbers.size()) {
     throw InputError(fmt::format("{}: row {} is of no session", source.path, to_string(row.key)));
   }
-  number = source.session_numbers[place];
+  number = source.session_numbers[index];
   std::memcpy(record + session.offset, &number, sizeof(number));
 }
 

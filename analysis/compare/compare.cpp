@@ -319,7 +319,7 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
                           const CompareOptions& options) {
   expect(!base.empty() && base.size() == now.size(), "a comparison of unequally many rounds");
   Comparison comparison = first_look(base.front(), now.front(), options, true);
-  std::map<std::pair<CurveKey, std::int64_t>, std::size_t> place_of;
+  std::map<std::pair<CurveKey, std::int64_t>, std::size_t> index_of;
   std::vector<Evidence> evidence;
   std::map<std::string, std::vector<double>> rounds_of;  // of a setting
   for (std::size_t round = 0; round < base.size(); ++round) {
@@ -328,9 +328,9 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
     note_pairing(pairing, comparison);
     std::map<std::string, std::vector<double>> of_round;
     for (const PairedCell& cell : pairing.cells) {
-      const auto [place, is_new] = place_of.try_emplace({cell.key, cell.n}, evidence.size());
+      const auto [index, is_new] = index_of.try_emplace({cell.key, cell.n}, evidence.size());
       if (is_new) evidence.push_back(evidence_of(cell));
-      Evidence& into = evidence[place->second];
+      Evidence& into = evidence[index->second];
       add_pairs(cell, options, into);
       const double ratio = round_log_time_ratio(cell);
       if (!std::isfinite(ratio)) continue;

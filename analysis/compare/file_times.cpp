@@ -58,9 +58,9 @@ class FileJudge {
       : cells_(cells), limit_(std::log1p(rule.threshold)) {
     for (const CellTimes& cell : cells) {
       if (cell.rounds == 0) continue;
-      const auto [place, is_new] = place_of_.try_emplace(cell.setting, by_setting_.size());
+      const auto [index, is_new] = index_of_.try_emplace(cell.setting, by_setting_.size());
       if (is_new) by_setting_.emplace_back();
-      by_setting_[place->second].push_back(&cell);
+      by_setting_[index->second].push_back(&cell);
     }
   }
 
@@ -104,12 +104,12 @@ class FileJudge {
     times_.residual = spread_about_zero(std::move(residuals));
   }
 
-  void judge_setting(std::size_t place) {
-    SettingTimes& setting = times_.settings[place];
+  void judge_setting(std::size_t index) {
+    SettingTimes& setting = times_.settings[index];
     setting.distance = setting.ratio - times_.common;
     for (std::size_t side = 0; side < 2; ++side) {
       std::vector<double> own;
-      for (const CellTimes* cell : by_setting_[place]) own.push_back(cell->halves[side]);
+      for (const CellTimes* cell : by_setting_[index]) own.push_back(cell->halves[side]);
       const double drift = median(own) - (has_others_ ? median(drifts_[side]) : 0);
       setting.error = std::hypot(setting.error, drift / 2);
     }
@@ -126,13 +126,13 @@ class FileJudge {
   }
 
   double error_of_cell(const CellTimes& cell) const {
-    const SettingTimes& setting = times_.settings[place_of_.at(cell.setting)];
+    const SettingTimes& setting = times_.settings[index_of_.at(cell.setting)];
     return std::hypot(kErrors * cell.spread, setting.error);
   }
 
   TimeChange change_of_cell(const CellTimes& cell) const {
     if (cell.rounds < kFewestRounds) return TimeChange::undecided;
-    const SettingTimes& setting = times_.settings[place_of_.at(cell.setting)];
+    const SettingTimes& setting = times_.settings[index_of_.at(cell.setting)];
     const double alone = cell.ratio - setting.ratio;
     const double placed = limit_ * std::max(2.0, kPlaced / static_cast<double>(cell.graphs));
     const double sure = std::max({placed, kAlone * times_.residual, kErrors * cell.spread});
@@ -145,7 +145,7 @@ class FileJudge {
 
   const std::vector<CellTimes>& cells_;
   const double limit_;
-  std::map<std::string, std::size_t> place_of_;
+  std::map<std::string, std::size_t> index_of_;
   std::vector<std::vector<const CellTimes*>> by_setting_;
   std::array<std::vector<double>, 2> drifts_;  ///< of all cells within a file
   std::size_t num_timed_ = 0;

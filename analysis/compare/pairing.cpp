@@ -237,9 +237,9 @@ Pairing pair_rows(const Results& base, const Results& now) {
     }
     ++matched;
     const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
-    const auto [place, is_new] = cell_of.try_emplace({curve_of(run), n}, pairing.cells.size());
+    const auto [cell, is_new] = cell_of.try_emplace({curve_of(run), n}, pairing.cells.size());
     if (is_new) pairing.cells.push_back({curve_of(run), n, {}});
-    pairing.cells[place->second].rows.push_back({&run, partner});
+    pairing.cells[cell->second].rows.push_back({&run, partner});
   }
   pairing.extra = now.runs.size() - matched;
   return pairing;

@@ -86,13 +86,13 @@ void follow_setting(const TimeVerdict& setting, std::vector<double> log_ratios,
 
 void judge_settings(const SettingVerdicts& rounds, Comparison& comparison) {
   std::vector<std::vector<const CellComparison*>> by_setting;
-  std::map<std::string, std::size_t> place_of;
+  std::map<std::string, std::size_t> index_of;
   for (CellComparison& cell : comparison.cells) {
     cell.cause = cause_of(cell.reason);
     const std::string name = algorithm_label(cell.key);
-    const auto [place, is_new] = place_of.try_emplace(name, by_setting.size());
+    const auto [index, is_new] = index_of.try_emplace(name, by_setting.size());
     if (is_new) by_setting.emplace_back();
-    by_setting[place->second].push_back(&cell);
+    by_setting[index->second].push_back(&cell);
   }
   for (const auto& cells : by_setting) {
     comparison.settings.push_back(setting_of(cells));

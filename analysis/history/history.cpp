@@ -31,9 +31,9 @@ void read_file_name(const fs::path& path, CommitResults& into) {
   const std::size_t second = first == std::string::npos ? first : file.find('_', first + 1);
   bool is_good = second != std::string::npos;
   if (is_good) {
-    const auto [end, error] = std::from_chars(file.data(), file.data() + first, into.place);
+    const auto [end, error] = std::from_chars(file.data(), file.data() + first, into.index);
     into.name = file.substr(first + 1, second - first - 1);
-    is_good = error == std::errc() && end == file.data() + first && into.place >= 0 && first > 0 &&
+    is_good = error == std::errc() && end == file.data() + first && into.index >= 0 && first > 0 &&
               is_name(into.name);
   }
   if (is_good) return;
@@ -187,7 +187,7 @@ class Changes {
     const auto order = [&](const HistoryChange& change) {
       const CommitResults& at = history_.results[change.at];
       const double size = std::isfinite(change.effect) ? std::abs(change.effect) : -1;
-      return std::tuple(-at.place, at.name, change.at, change.measure, -size);
+      return std::tuple(-at.index, at.name, change.at, change.measure, -size);
     };
     std::stable_sort(history_.changes.begin(), history_.changes.end(),
                      [&](const auto& a, const auto& b) { return order(a) < order(b); });
@@ -274,7 +274,7 @@ void judge(std::vector<OpenLine> entries, const std::vector<std::array<double, 3
   changes.finish();
 }
 
-std::size_t place_of(const std::map<std::string, std::string>& environment,
+std::size_t index_of(const std::map<std::string, std::string>& environment,
                      std::vector<std::map<std::string, std::string>>& among) {
   const auto at = std::find(among.begin(), among.end(), environment);
   if (at != among.end()) return static_cast<std::size_t>(at - among.begin());
@@ -305,7 +305,7 @@ void name_files_alike(std::vector<ReadResults>& read) {
 
 }  // namespace
 
-std::string history_file_name(std::int64_t place, const std::string& name,
+std::string history_file_name(std::int64_t index, const std::string& name,
                               const StudyIdentity& study,
                               const std::vector<EnvironmentEntry>& environment) {
   if (!is_name(name)) {
@@ -321,7 +321,7 @@ std::string history_file_name(std::int64_t place, const std::string& name,
   std::replace_if(
       study_id.begin(), study_id.end(), [](char c) { return !may_stand_in_name(c) && c != '_'; },
       '-');
-  return fmt::format("{:06}_{}_{}_{}.h5", place, name, study_id,
+  return fmt::format("{:06}_{}_{}_{}.h5", index, name, study_id,
                      content_hash(settings).substr(0, 8));
 }
 
@@ -329,8 +329,8 @@ History read_history(const std::string& folder, const CompareOptions& rule) {
   std::vector<ReadResults> read;
   for (const fs::path& path : results_files(folder)) read.push_back(read_one(path));
   std::sort(read.begin(), read.end(), [](const ReadResults& a, const ReadResults& b) {
-    return std::tie(a.commit.place, a.commit.name, a.commit.file) <
-           std::tie(b.commit.place, b.commit.name, b.commit.file);
+    return std::tie(a.commit.index, a.commit.name, a.commit.file) <
+           std::tie(b.commit.index, b.commit.name, b.commit.file);
   });
   name_files_alike(read);
   History history;
@@ -338,7 +338,7 @@ History read_history(const std::string& folder, const CompareOptions& rule) {
   std::map<std::size_t, std::vector<double>> slownesses;  // by environment
   std::vector<std::array<double, 3>> yardsticks;
   for (ReadResults& one : read) {
-    one.commit.environment = place_of(one.environment, history.environments);
+    one.commit.environment = index_of(one.environment, history.environments);
     slownesses[one.commit.environment].push_back(log_slowness(one.table));
   }
   for (ReadResults& one : read) {

@@ -88,7 +88,7 @@ struct SmallestStep {
 };
 
 struct TimeSteps {
-  std::vector<TimeStep> steps;         ///< by place
+  std::vector<TimeStep> steps;         ///< by index
   std::vector<SmallestStep> smallest;  ///< one for each setting, by name
 };
 
@@ -99,7 +99,7 @@ TimeSteps find_time_steps(const TimeSeries& series, const TimeRule& rule);
 /// Describes a results file of a history, without its rows.
 struct CommitResults {
   std::string file;         ///< its path
-  std::int64_t place = 0;   ///< where it stands in the order: more is later
+  std::int64_t index = 0;   ///< where it stands in the order: more is later
   std::string name;         ///< of the commit or release
   std::string source_hash;  ///< git commit of the program
   std::string study;
@@ -140,7 +140,7 @@ struct HistoryChange {
 };
 
 struct History {
-  std::vector<CommitResults> results;                            ///< by place, then name
+  std::vector<CommitResults> results;                            ///< by index, then name
   std::vector<std::map<std::string, std::string>> environments;  ///< lasting settings
   std::vector<HistoryLine> lines;  ///< by environment, study, cell, measure
   std::vector<HistoryChange>
@@ -152,7 +152,7 @@ struct History {
 /// Returns the name that a results file has in a history: PLACE_NAME_STUDY_ENVIRONMENT.h5, where
 /// ENVIRONMENT stands for the lasting settings, so that results of two machines do not meet.
 /// @param name  letters, digits, '.', '+' and '-'. @throws InputError naming it if it is not.
-std::string history_file_name(std::int64_t place, const std::string& name,
+std::string history_file_name(std::int64_t index, const std::string& name,
                               const StudyIdentity& study,
                               const std::vector<EnvironmentEntry>& environment);
 

@@ -126,7 +126,7 @@ std::vector<Table> history_tables(const History& history, const std::string& fol
                         history.lines.size(),
                         std::ranges::count(history.lines, true, &HistoryLine::is_judged)});
   for (const CommitResults& one : history.results) {
-    table("results").add({one.place, one.name, one.source_hash.substr(0, 12), one.study,
+    table("results").add({one.index, one.name, one.source_hash.substr(0, 12), one.study,
                           one.created, one.environment + 1, one.unfinished, one.slowness,
                           one.untimed});
   }

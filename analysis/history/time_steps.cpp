@@ -137,8 +137,8 @@ class StepFinder {
     const auto moved = moved_.find(setting);
     std::vector<double> others;
     if (moved != moved_.end()) {
-      for (const auto& [place, size] : moved->second) {
-        if (place != at && !has_step(setting, place)) others.push_back(size);
+      for (const auto& [index, size] : moved->second) {
+        if (index != at && !has_step(setting, index)) others.push_back(size);
       }
     }
     const auto seen = static_cast<double>(others.size());

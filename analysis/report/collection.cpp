@@ -81,7 +81,7 @@ struct Collection {
   std::string family;
   std::vector<std::pair<std::size_t, const SectionCurve*>> settings;  // with their sections
   bool is_relative = false, is_timed = true;
-  std::map<std::pair<std::uint64_t, std::int64_t>, CollectionGraph> graphs;  // by seed and place
+  std::map<std::pair<std::uint64_t, std::int64_t>, CollectionGraph> graphs;  // by seed and index
 
   std::array<double, kCompared.size()> logs_of(const DrawnGraph& graph) const {
     const auto log = [&](const char* name) {
@@ -243,8 +243,8 @@ void add_pairs(TableMaker& make, const Collection& of, std::size_t measure,
                  kCompared[measure].value(pair[0]->logs[measure]),
                  kCompared[measure].value(pair[1]->logs[measure]),
                  std::pow(10, ratio_of(pair, measure)),
-                 make.graphs.add(of.settings[a].second->place, *pair[0]->graph),
-                 make.graphs.add(of.settings[b].second->place, *pair[1]->graph), is_outlier});
+                 make.graphs.add(of.settings[a].second->index, *pair[0]->graph),
+                 make.graphs.add(of.settings[b].second->index, *pair[1]->graph), is_outlier});
     };
     for (const GraphPair& pair : outliers(all)) add(pair, true);
     for (const GraphPair& pair : evenly(all, most_points)) add(pair, false);

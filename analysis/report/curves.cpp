@@ -70,7 +70,7 @@ void add_lines(const Figure& figure, std::size_t most_sizes, Table& table) {
     for (const SizeSample& size : evenly(sizes, most_sizes)) {
       const auto [least, largest] = std::ranges::minmax_element(
           size.instances, {}, [](const auto& graph) { return graph.first; });
-      table.add({curve->place, name_of(figure.quantity), size.n, size.instances.size(),
+      table.add({curve->index, name_of(figure.quantity), size.n, size.instances.size(),
                  figure.over(size, least->first), figure.middle(size),
                  figure.over(size, largest->first), largest->second,
                  figure.over(size, size.log_bound), std::exp(figure.order * log_n(size.n))});
@@ -83,7 +83,7 @@ void add_band_of(const Figure& figure, TableMaker& make) {
   std::map<std::int64_t, std::map<std::size_t, std::vector<double>>> band;
   for (const auto& [curve, sizes] : figure.lines) {
     for (const SizeSample& size : sizes) {
-      band[bin_of(make.bins, size.n).n][curve->place].push_back(figure.middle(size));
+      band[bin_of(make.bins, size.n).n][curve->index].push_back(figure.middle(size));
     }
   }
   add_band(make, figure.setting, name_of(figure.quantity), band);
@@ -130,7 +130,7 @@ void add_points(TableMaker& make, std::size_t most) {
         if (graphs.empty()) continue;
         std::ranges::stable_sort(graphs, {}, side);
         for (const DrawnGraph* graph : evenly(graphs, most))
-          make.graphs.add(curve.place, *graph, true);
+          make.graphs.add(curve.index, *graph, true);
         for (const Quantity quantity : {Quantity::volume, Quantity::wall_s}) {
           if (quantity == Quantity::wall_s && !timed) continue;
           const DrawnGraph* largest =
@@ -138,10 +138,10 @@ void add_points(TableMaker& make, std::size_t most) {
                 const double log = log_value(*graph, quantity, timed);
                 return std::isnan(log) ? -std::numeric_limits<double>::infinity() : log;
               });
-          make.graphs.add(curve.place, *largest, true);
+          make.graphs.add(curve.index, *largest, true);
         }
       }
-      for (const CensoredRow& row : curve.tally->censored) make.graphs.add(curve.place, row);
+      for (const CensoredRow& row : curve.tally->censored) make.graphs.add(curve.index, row);
     }
   }
 }

@@ -66,7 +66,7 @@ std::map<std::size_t, std::size_t> named_lines(const Section& section, Quantity 
     if (entry == nullptr || entry->reason == kUntimed) continue;
     const SizeSample& last = entry->all.back();
     const std::int64_t last_n = bin_of(bins, last.n).n;
-    lines.emplace_back(curve.place, last_n,
+    lines.emplace_back(curve.index, last_n,
                        median(last.log_values()) - order * std::log(static_cast<double>(last.n)));
     largest = std::max(largest, last_n);
   }
@@ -126,8 +126,8 @@ void add_shares(TableMaker& make) {
           if (closest == nullptr || at->second->share() > closest->share()) closest = at->second;
         }
         if (closest == nullptr) continue;
-        table.add({i, curve.place, first, last, closest->share(),
-                   make.graphs.add(curve.place, *closest)});
+        table.add({i, curve.index, first, last, closest->share(),
+                   make.graphs.add(curve.index, *closest)});
       }
     }
   }
@@ -166,8 +166,8 @@ void add_bends_by_n(TableMaker& make) {
         if (bends.empty()) continue;
         const auto [least, largest] = std::ranges::minmax(bends);
         const double middle = median(bends);
-        table.add({i, curve.place, n, bends.size(), least, middle, largest});
-        bands[bin_of(make.bins, n).n][curve.place].push_back(middle);
+        table.add({i, curve.index, n, bends.size(), least, middle, largest});
+        bands[bin_of(make.bins, n).n][curve.index].push_back(middle);
       }
     }
     if (!bands.empty()) add_band(make, i, kBendsPerEdge, bands);
@@ -179,7 +179,7 @@ void add_bends_by_n(TableMaker& make) {
 void fill_bounds(const StudyAnalysis& analysis, const std::vector<Section>& sections,
                  Table& table) {
   const ShowCommand show(analysis.rows);
-  const auto places = curves_by_place(sections);
+  const auto indices = curves_by_index(sections);
   for (std::size_t i = 0; i < analysis.tally.curves.size(); ++i) {
     const CurveTally& entry = analysis.tally.curves[i];
     std::vector<TableCell> row = key_cells(entry.key);
@@ -192,7 +192,8 @@ void fill_bounds(const StudyAnalysis& analysis, const std::vector<Section>& sect
     row.insert(row.end(),
                {entry.log2_volume, entry.volume_share, entry.volume_over_least,
                 entry.times_the_optimum, worst ? show(entry.key, entry.axes[*worst].worst) : ""});
-    if (const auto at = places.find(i); at != places.end()) add_page_cells(*at->second, show, row);
+    if (const auto at = indices.find(i); at != indices.end())
+      add_page_cells(*at->second, show, row);
     row.resize(table.columns.size());
     table.add(std::move(row));
   }
@@ -208,8 +209,8 @@ void fill_growth(const StudyAnalysis& analysis, const std::vector<Section>& sect
   const std::vector<SizeBin> bins = bins_of_study(sections, kMostBinsOfStudy);
   for (const Section& section : sections) {
     for (const Quantity quantity : {nearest_side(section), Quantity::volume, Quantity::wall_s}) {
-      for (const auto& [place, rank] : named_lines(section, quantity, bins)) {
-        named[{place, quantity}] = rank;
+      for (const auto& [index, rank] : named_lines(section, quantity, bins)) {
+        named[{index, quantity}] = rank;
       }
     }
   }

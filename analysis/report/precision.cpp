@@ -89,7 +89,7 @@ class RealDrawings {
  public:
   explicit RealDrawings(TableMaker& make) : make_(make) {
     for (const CurveTally& curve : make.analysis.tally.curves) {
-      places_.emplace(curve.key, places_.size());
+      indices_.emplace(curve.key, indices_.size());
     }
   }
 
@@ -98,8 +98,8 @@ class RealDrawings {
     const std::vector<char> record = metrics_record(run);
     const auto value = [&](const Column& of) { return column_number(of, record.data()); };
     if (!(value(miss_) >= 0)) return;
-    const auto curve = places_.find(curve_of(run));
-    if (table_.size() == (make_.all ? kMostReal : kMostRealOfPage) || curve == places_.end()) {
+    const auto curve = indices_.find(curve_of(run));
+    if (table_.size() == (make_.all ? kMostReal : kMostRealOfPage) || curve == indices_.end()) {
       ++left_out_;
       return;
     }
@@ -119,8 +119,8 @@ class RealDrawings {
         rows_of_, {}, [](const auto& of_family) { return of_family.second.size(); });
     if (most == rows_of_.end()) return;
     make_.table("precision").add({table_.size(), left_out_});
-    for (const auto& [key, place] : places_) {
-      if (family_label(key) == most->first) add_graphs(place, most->second);
+    for (const auto& [key, index] : indices_) {
+      if (family_label(key) == most->first) add_graphs(index, most->second);
     }
   }
 
@@ -137,7 +137,7 @@ class RealDrawings {
   }
 
   TableMaker& make_;
-  std::map<CurveKey, std::size_t> places_;
+  std::map<CurveKey, std::size_t> indices_;
   std::map<std::string, std::vector<std::size_t>> rows_of_;  // by family, ascending
   std::size_t left_out_ = 0;
   Table& table_ = make_.table("real_drawings");

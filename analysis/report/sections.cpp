@@ -59,8 +59,8 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
       side_records<AlgorithmRecord>(analysis.rows.identity());
   std::vector<Section> sections;
   std::map<std::string, std::size_t> index_of;
-  for (std::size_t place = 0; place < analysis.tally.curves.size(); ++place) {
-    const CurveTally& tally = analysis.tally.curves[place];
+  for (std::size_t index = 0; index < analysis.tally.curves.size(); ++index) {
+    const CurveTally& tally = analysis.tally.curves[index];
     const CurveKey& key = tally.key;
     const auto [at, is_new] = index_of.try_emplace(algorithm_label(key), sections.size());
     if (at->second >= kMostSections) continue;
@@ -77,7 +77,7 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
     auto scaling = scaling_of[key];
     scaling.resize(kQuantities.size());
     sections[at->second].curves.push_back(
-        {place, family_label(key), key.family, &tally, std::move(scaling),
+        {index, family_label(key), key.family, &tally, std::move(scaling),
          commands.is_of_file(key.family) && tally.instances >= kFewestOfCollection, at->second});
   }
   for (Section& section : sections) {
@@ -87,12 +87,12 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
   return sections;
 }
 
-std::map<std::size_t, const SectionCurve*> curves_by_place(const std::vector<Section>& sections) {
-  std::map<std::size_t, const SectionCurve*> places;
+std::map<std::size_t, const SectionCurve*> curves_by_index(const std::vector<Section>& sections) {
+  std::map<std::size_t, const SectionCurve*> indices;
   for (const Section& section : sections) {
-    for (const SectionCurve& curve : section.curves) places[curve.place] = &curve;
+    for (const SectionCurve& curve : section.curves) indices[curve.index] = &curve;
   }
-  return places;
+  return indices;
 }
 
 std::size_t count_families(const std::set<std::string>& family_labels) {
@@ -133,15 +133,15 @@ void GraphList::add_row(std::size_t row) {
 
 void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
                      const std::vector<Section>& sections, Table& table) const {
-  const auto places = curves_by_place(sections);
+  const auto indices = curves_by_index(sections);
   for (const auto& entry : rows_) {
     const std::uint64_t row = entry.first;
     const auto& noted = entry.second;
     const DrawnGraph& graph = noted.graph;
     const bool timed = analysis.tally.curves[noted.curve].has_timing_rows;
-    const auto curve = places.find(noted.curve);
+    const auto curve = indices.find(noted.curve);
     const auto over = [&](Quantity quantity) {
-      if (curve == places.end() || !noted.status.empty() || !noted.is_point) return kMissing;
+      if (curve == indices.end() || !noted.status.empty() || !noted.is_point) return kMissing;
       const double log_n = std::log(static_cast<double>(graph.n));
       return std::exp(log_value(graph, quantity, timed) -
                       order_of(sections[curve->second->setting], quantity) * log_n);
@@ -151,7 +151,7 @@ void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
     };
     const auto drawing = drawings.find(row);
     const double side =
-        curve == places.end() ? kMissing : over(nearest_side(sections[curve->second->setting]));
+        curve == indices.end() ? kMissing : over(nearest_side(sections[curve->second->setting]));
     std::vector<TableCell> cells = {
         row,
         noted.curve,
@@ -226,8 +226,8 @@ std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t 
   const double width = (log10_of(*sizes.rbegin()) - low) / static_cast<double>(most);
   std::size_t end_of_last = 0;  // parts up to the last bin's end
   for (const std::int64_t n : sizes) {
-    const double place = (log10_of(std::max<std::int64_t>(1, n)) - low) / width;
-    const std::size_t end = std::min(static_cast<std::size_t>(std::max(0.0, place)), most - 1) + 1;
+    const double bin = (log10_of(std::max<std::int64_t>(1, n)) - low) / width;
+    const std::size_t end = std::min(static_cast<std::size_t>(std::max(0.0, bin)), most - 1) + 1;
     if (sizes.size() <= most || end > end_of_last) bins.push_back({n, n, n});
     bins.back().last = n;
     end_of_last = end;

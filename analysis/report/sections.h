@@ -16,13 +16,13 @@ namespace ar3d::report {
 
 /// Describes one curve of a section.
 struct SectionCurve {
-  std::size_t place = 0;  ///< in StudyTally::curves
+  std::size_t index = 0;  ///< in StudyTally::curves
   std::string family;     ///< family_label
   std::string name;       ///< of the family; with parameters only where two have one name
   const CurveTally* tally = nullptr;
   std::vector<const ScalingEntry*> scaling;  ///< by quantity; null if it was not measured
   bool is_collection = false;  ///< graphs of files, at least kFewestOfCollection of them
-  std::size_t setting = 0;     ///< its section's place
+  std::size_t setting = 0;     ///< its section's index
   bool is_shown = false;       ///< among Section::shown
 
   const ScalingEntry* growth(Quantity quantity) const {
@@ -48,8 +48,8 @@ inline constexpr std::size_t kMostFamilies = 300, kMostSections = 40, kShownFind
 
 /// Returns at most kMostSections of them.
 std::vector<Section> sections(const StudyAnalysis& analysis);
-/// Returns the curves of all sections by their places.
-std::map<std::size_t, const SectionCurve*> curves_by_place(const std::vector<Section>& sections);
+/// Returns the curves of all sections by their indices.
+std::map<std::size_t, const SectionCurve*> curves_by_index(const std::vector<Section>& sections);
 /// Returns the number of families that these labels are of: one with several parameters counts once.
 std::size_t count_families(const std::set<std::string>& family_labels);
 /// Returns the power of n that figures divide a quantity by: the order of the theorem's bound, or

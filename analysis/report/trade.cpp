@@ -29,7 +29,7 @@ using FamilySize = std::pair<std::string, std::int64_t>;
 /// over graphs. Sizes with an unfinished graph are left out.
 struct ComparedSetting {
   const Section* section = nullptr;
-  std::size_t place = 0;  ///< in the sections
+  std::size_t index = 0;  ///< in the sections
   std::size_t bends = 0;  ///< largest number of bends per edge
   std::map<std::int64_t, std::map<FamilySize, Median>> sizes;
 };
@@ -104,7 +104,7 @@ std::vector<ComparedSetting> settings_of(const std::vector<Section>& sections,
   for (const Section& section : sections) {
     ComparedSetting& setting = settings.emplace_back();
     setting.section = &section;
-    setting.place = settings.size() - 1;
+    setting.index = settings.size() - 1;
     for (const SectionCurve& curve : section.curves) {
       if (curve.is_collection) continue;  // compared graph by graph
       for (std::size_t b = 0; b < curve.tally->bends.size(); ++b) {
@@ -276,7 +276,7 @@ void add_group(const SettingGroup& group, double order, TableMaker& make) {
     return;
   }
   Table& groups = make.table("groups");
-  const std::size_t place = groups.size();
+  const std::size_t index = groups.size();
   const std::size_t families = count_families(group.families);
   groups.add({group.settings.size(), families,
               families == 1 ? TableCell(*group.families.begin()) : TableCell(),
@@ -285,7 +285,7 @@ void add_group(const SettingGroup& group, double order, TableMaker& make) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (const auto& [n, point] : lines[i]) {
       const SizeBin& bin = bin_of(make.bins, n);
-      make.table("trade").add({place, n, group.settings[i]->place, std::pow(10, point.volume),
+      make.table("trade").add({index, n, group.settings[i]->index, std::pow(10, point.volume),
                                std::pow(10, point.volume - order * log10_of(n)),
                                std::pow(10, point.time), group.settings[i]->bends,
                                is_on_front(lines, n, point), bin.first, bin.last});
@@ -293,7 +293,7 @@ void add_group(const SettingGroup& group, double order, TableMaker& make) {
   }
   for (const Crossing& crossing : crossings_of(group, lines)) {
     make.table("crossings")
-        .add({place, group.settings[crossing.below]->place, group.settings[crossing.above]->place,
+        .add({index, group.settings[crossing.below]->index, group.settings[crossing.above]->index,
               std::llround(std::pow(10, crossing.log_n)),
               std::pow(10, crossing.volume - order * crossing.log_n), crossing.graphs,
               crossing.smaller});
@@ -322,7 +322,7 @@ void add_efforts(const std::vector<ComparedSetting>& settings, Table& table) {
       const Median first = there.over(*there.settings.front(), *n);
       for (const ComparedSetting* setting : there.settings) {
         const Median own = there.over(*setting, *n);
-        table.add({setting->place, algorithm, largest, std::pow(10, own.time - first.time),
+        table.add({setting->index, algorithm, largest, std::pow(10, own.time - first.time),
                    std::pow(10, own.volume - first.volume)});
       }
       break;

@@ -108,7 +108,7 @@ void add_settings(TableMaker& make) {
       const DrawnGraph& graph = closest.tally->axes[*axis].worst;
       std::ranges::copy(
           std::initializer_list<TableCell>{1 - closest.least_slack(), closest.name, graph.n,
-                                           make.graphs.add(closest.place, graph),
+                                           make.graphs.add(closest.index, graph),
                                            std::string(1, "xyz"[*axis]), graph.extents[*axis],
                                            graph.theorem_bound[*axis]},
           row.end() - 7);

@@ -109,8 +109,8 @@ double corrected_akaike(const LinearFit& fit, std::size_t parameters) {
 double step_akaike(std::span<const SizeSample> sizes) {
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t s = 1; s + 1 < sizes.size(); ++s) {
-    const double place = std::log(static_cast<double>(sizes[s].n));
-    const Regressor step = [=](double x) { return std::tanh((x - place) / std::log(2.0)); };
+    const double centre = std::log(static_cast<double>(sizes[s].n));
+    const Regressor step = [=](double x) { return std::tanh((x - centre) / std::log(2.0)); };
     best = std::min(best, corrected_akaike(fit_sizes(sizes, {identity, step}), 4));
   }
   return best;

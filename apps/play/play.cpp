@@ -53,12 +53,12 @@ GivenGraph of_family(const std::string& name, std::uint64_t n, std::uint64_t see
 }
 
 /// The graph of that place, from 1, in the text.
-GivenGraph of_text(std::string_view text, const std::string& name, std::uint64_t place) {
+GivenGraph of_text(std::string_view text, const std::string& name, std::uint64_t number) {
   GraphReader reader(TextInput(name, bytes_of(std::string(text))), ReadOptions{});
   GivenGraph given;
   std::optional<Graph> graph;
   for (given.count = 0; (graph = reader.next()); ++given.count) {
-    if (given.count > 0 && given.count + 1 != place) continue;
+    if (given.count > 0 && given.count + 1 != number) continue;
     given.graph = std::move(*graph);
     given.names = reader.names();
     given.where = reader.where();

@@ -22,9 +22,9 @@ namespace {
 constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
 constexpr std::size_t kHeadBytes = sizeof(std::uint64_t);  // how many bytes follow
 
-// Of a line of sparse6. @param place  where it stands, for messages. @param most  vertices.
-Graph graph_of_line(std::string line, const std::string& place, std::uint64_t most) {
-  GraphReader reader(TextInput(place, bytes_of(std::move(line))),
+// Of a line of sparse6. @param source  where it stands, for messages. @param most  vertices.
+Graph graph_of_line(std::string line, const std::string& source, std::uint64_t most) {
+  GraphReader reader(TextInput(source, bytes_of(std::move(line))),
                      {.format = "sparse6", .free_vertices = most});
   return std::move(*reader.next());
 }
@@ -88,8 +88,8 @@ Graph Spool::read(std::uint64_t offset) const {
   return graph_of_line(std::move(line), name_, std::uint64_t{1} << 32);
 }
 
-// Takes the graphs of the files one after the other. A sample of k is the k places of the smallest
-// random numbers, a function of seed and place: a larger sample contains the smaller one, and only
+// Takes the graphs of the files one after the other. A sample of k is the k indices of the smallest
+// random numbers, a function of seed and index: a larger sample contains the smaller one, and only
 // graphs that are among the k smallest so far are ever written.
 class Corpus::Scan {
  public:
@@ -159,20 +159,20 @@ class Corpus::Scan {
       throw InputError(fmt::format("/collected_files: {} graphs from {} on are none of {}",
                                    record.graphs, record.first, printable(record.file)));
     }
-    for (const auto& [place, line] : file.lines) {
-      keep(graph_of_line(line + "\n", "/graphs", kMostHeldVertices), place);
+    for (const auto& [index, line] : file.lines) {
+      keep(graph_of_line(line + "\n", "/graphs", kMostHeldVertices), index);
     }
     corpus_.graphs_in_file_ = first + graphs;
     held_[record.file].insert(record.hash);
     add(file.name, {"", record.file, file.group, record.hash, record.first, record.graphs});
   }
 
-  void keep(const Graph& graph, std::uint64_t place) {
+  void keep(const Graph& graph, std::uint64_t index) {
     corpus_.entries_.push_back({corpus_.spool_.append(graph), graph.num_vertices(),
-                                static_cast<std::uint32_t>(place), graph.max_degree()});
+                                static_cast<std::uint32_t>(index), graph.max_degree()});
   }
 
-  using Ticket = std::pair<std::uint64_t, std::uint64_t>;  // random number, place
+  using Ticket = std::pair<std::uint64_t, std::uint64_t>;  // random number, index
 
   // Nothing at the file's end, and where it cannot be read further and files may be skipped.
   std::optional<Graph> next_graph(const CorpusFile& file, std::optional<GraphReader>& reader,
@@ -196,16 +196,16 @@ class Corpus::Scan {
 
   void take(const Graph& graph, HashStream& hash) {
     put_graph(hash, graph);
-    const std::uint64_t place = corpus_.graphs_in_file_++;
+    const std::uint64_t index = corpus_.graphs_in_file_++;
     if (options_.sample == 0) {
-      if (place == kMostGraphs) {
+      if (index == kMostGraphs) {
         throw InputError(fmt::format("{}: more than {} graphs; a sample of them can be taken",
                                      corpus_.path_, kMostGraphs));
       }
-    } else if (!is_drawn(place)) {
+    } else if (!is_drawn(index)) {
       return;
     }
-    keep(options_.largest_component ? induced(graph, in_largest_component(graph)) : graph, place);
+    keep(options_.largest_component ? induced(graph, in_largest_component(graph)) : graph, index);
     // Graphs that fell out of the sample since are dropped once they are as many as it holds.
     if (options_.sample > 0 && corpus_.entries_.size() >= 2 * options_.sample) drop_replaced();
   }
@@ -219,14 +219,14 @@ class Corpus::Scan {
     }
     return content_hash(text);
   }
-  std::uint64_t number_of(std::uint64_t place) const {
-    return mix_seed(options_.sample_seed, place);
+  std::uint64_t number_of(std::uint64_t index) const {
+    return mix_seed(options_.sample_seed, index);
   }
-  bool is_drawn(std::uint64_t place) {
-    if (place > std::numeric_limits<std::uint32_t>::max()) {
+  bool is_drawn(std::uint64_t index) {
+    if (index > std::numeric_limits<std::uint32_t>::max()) {
       throw InputError(fmt::format("{}: more than 2^32 graphs", corpus_.path_));
     }
-    const Ticket ticket(number_of(place), place);
+    const Ticket ticket(number_of(index), index);
     if (drawn_.size() == options_.sample) {
       if (drawn_.top() < ticket) return false;
       drawn_.pop();
@@ -237,7 +237,7 @@ class Corpus::Scan {
   void drop_replaced() {
     if (drawn_.empty()) return;
     std::erase_if(corpus_.entries_, [&](const TakenGraph& entry) {
-      return drawn_.top() < Ticket(number_of(entry.place), entry.place);
+      return drawn_.top() < Ticket(number_of(entry.index), entry.index);
     });
   }
 
@@ -271,18 +271,18 @@ Corpus::Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& option
   scan.finish(options.looks_again);
 }
 
-std::size_t Corpus::number_at(std::uint32_t place) const {
+std::size_t Corpus::number_at(std::uint32_t index) const {
   const auto behind = std::upper_bound(
-      files_.begin(), files_.end(), place,
+      files_.begin(), files_.end(), index,
       [](std::uint32_t wanted, const CollectedFile& file) { return wanted < file.first; });
   return static_cast<std::size_t>(behind - files_.begin()) - 1;
 }
 
-std::string Corpus::graph_name(std::uint32_t place) const {
+std::string Corpus::graph_name(std::uint32_t index) const {
   constexpr std::size_t kMost = 96;
-  const std::size_t file = number_at(place);
+  const std::size_t file = number_at(index);
   std::string name = names_[file];
-  if (files_[file].graphs > 1) name += fmt::format("#{}", place - files_[file].first);
+  if (files_[file].graphs > 1) name += fmt::format("#{}", index - files_[file].first);
   if (name.size() <= kMost) return name;
   std::size_t begin = name.size() - (kMost - 3);
   while (begin < name.size() && (name[begin] & 0xc0) == 0x80) ++begin;  // between characters
@@ -307,13 +307,13 @@ std::size_t Corpus::first_of_size(std::uint64_t wanted, std::uint32_t max_degree
   return static_cast<std::size_t>(chosen - order_.begin());
 }
 
-Graph Corpus::graph(std::uint32_t place) const {
+Graph Corpus::graph(std::uint32_t index) const {
   const auto at = std::lower_bound(
-      entries_.begin(), entries_.end(), place,
-      [](const TakenGraph& entry, std::uint32_t wanted) { return entry.place < wanted; });
-  if (at == entries_.end() || at->place != place) {
+      entries_.begin(), entries_.end(), index,
+      [](const TakenGraph& entry, std::uint32_t wanted) { return entry.index < wanted; });
+  if (at == entries_.end() || at->index != index) {
     throw InputError(fmt::format("{}: no graph is taken from place {} of its {} graphs", path_,
-                                 place, graphs_in_file_));
+                                 index, graphs_in_file_));
   }
   return spool_.read(at->offset);
 }

@@ -51,7 +51,7 @@ struct CorpusFile {
   std::string file = {};     ///< path within the collection; empty where the corpus is one file
   /// Holds the file as a study has read it before. Given: nothing is read, its graphs are these.
   std::optional<CollectedFile> held = {};
-  std::map<std::uint32_t, std::string> lines = {};  ///< of sparse6, by place
+  std::map<std::uint32_t, std::string> lines = {};  ///< of sparse6, by index
 };
 
 /// Holds how the graphs of files are taken into a study.
@@ -96,32 +96,32 @@ class Corpus {
   /// Returns which files are added, changed and gone, compared with those that were held: what they
   /// hold by now is added.
   const std::array<std::vector<std::string>, 3>& growth() const { return growth_; }
-  /// Returns the files with graphs, by place; their family has no name yet.
+  /// Returns the files with graphs, by index; their family has no name yet.
   const std::vector<CollectedFile>& files() const { return files_; }
 
-  /// Returns the file that holds the graph at that place. O(log files).
-  const CollectedFile& file_at(std::uint32_t place) const { return files_[number_at(place)]; }
+  /// Returns the file that holds the graph at that index. O(log files).
+  const CollectedFile& file_at(std::uint32_t index) const { return files_[number_at(index)]; }
   /// Returns how many files before that one have the same graphs.
-  std::uint32_t copy_at(std::uint32_t place) const { return copies_[number_at(place)]; }
+  std::uint32_t copy_at(std::uint32_t index) const { return copies_[number_at(index)]; }
   /// Returns the name of its file, "#3" behind it if that holds several; of 96 bytes at most, the
   /// last.
-  std::string graph_name(std::uint32_t place) const;
+  std::string graph_name(std::uint32_t index) const;
   /// Returns how many of the graphs taken have a vertex of larger degree.
   std::size_t count_above(std::uint32_t max_degree) const;
 
-  /// Gives the graphs taken, by number of vertices and, where that is equal, by place in the file.
+  /// Gives the graphs taken, by number of vertices and, where that is equal, by index in the file.
   std::size_t size() const { return order_.size(); }
-  /// Returns the place among the graphs of all files, from 0. @pre i < size().
-  std::uint32_t place(std::size_t i) const { return entries_[order_[i]].place; }
+  /// Returns the index among the graphs of all files, from 0. @pre i < size().
+  std::uint32_t index(std::size_t i) const { return entries_[order_[i]].index; }
   /// Returns the number of vertices of that graph.
   Vertex n(std::size_t i) const { return entries_[order_[i]].n; }
   /// Returns the first i with n(i) >= wanted, or the last one; rather the nearest one of no larger
   /// degree than allowed. @pre size() > 0.
   std::size_t first_of_size(std::uint64_t wanted, std::uint32_t max_degree) const;
 
-  /// Returns the graph taken from that place. O(n + m).
+  /// Returns the graph taken from that index. O(n + m).
   /// @throws InputError if no graph was taken from there.
-  Graph graph(std::uint32_t place) const;
+  Graph graph(std::uint32_t index) const;
 
   /// Returns a file descriptor that users of the corpus leave open.
   int descriptor() const { return spool_.descriptor(); }
@@ -130,24 +130,24 @@ class Corpus {
   struct TakenGraph {
     std::uint64_t offset = 0;  // in the spool
     Vertex n = 0;
-    std::uint32_t place = 0;
+    std::uint32_t index = 0;
     std::uint32_t max_degree = 0;
   };
   class Scan;
-  std::size_t number_at(std::uint32_t place) const;  // of the file
+  std::size_t number_at(std::uint32_t index) const;  // of the file
 
   Family family_;
   std::string path_;  // of the file being read, or of the last one
   std::string hash_;
-  std::vector<CollectedFile> files_;   // those with graphs, by place
+  std::vector<CollectedFile> files_;   // those with graphs, by index
   std::vector<std::string> names_;     // of their graphs in rows
   std::vector<std::uint32_t> copies_;  // how many files before each have the same graphs
   std::vector<SkippedFile> skipped_;
   std::vector<std::string> notes_;
   std::array<std::vector<std::string>, 3> growth_;
   std::uint64_t graphs_in_file_ = 0;
-  std::vector<TakenGraph> entries_;   // by place
-  std::vector<std::uint32_t> order_;  // places in entries_, by n and place
+  std::vector<TakenGraph> entries_;   // by index
+  std::vector<std::uint32_t> order_;  // indices in entries_, by n and index
   Spool spool_;
 };
 

@@ -16,12 +16,12 @@ namespace {
 
 void refuse_unknown_row(const std::vector<std::uint32_t>& in_plan, const Rows& rows) {
   std::vector<bool> known(rows.size(), false);
-  for (const std::uint32_t place : in_plan) known[place] = true;
-  for (std::size_t place = 0; place < rows.size(); ++place) {
-    if (!known[place]) {
+  for (const std::uint32_t i : in_plan) known[i] = true;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!known[i]) {
       throw InputError(fmt::format(
           "{}: row {} is none of study {} as this program plans it (the rows are of source {})",
-          rows.path(place), to_string(rows.key(place)), rows.identity().study_id,
+          rows.path(i), to_string(rows.key(i)), rows.identity().study_id,
           rows.identity().source()));
     }
   }
@@ -72,15 +72,15 @@ std::string missing_shards(const std::vector<Shard>& shards) {
 
 // Where the rows of the plan stand, in its order. @param instances  given: takes of which they are.
 StudyOutcome in_order_of(const StudyPlan& plan, const Rows& rows,
-                         std::vector<std::uint32_t>& places,
+                         std::vector<std::uint32_t>& indices,
                          std::vector<std::size_t>* instances = nullptr) {
   StudyOutcome outcome;
-  places.reserve(rows.size());
+  indices.reserve(rows.size());
   for (std::size_t number = 0; number < plan.instances.size(); ++number) {
     const PlannedInstance instance = plan.instances[number];
     for (const PlannedRun& run : instance.runs) {
-      if (const auto place = rows.find(parse_row_key(run.row_key))) {
-        places.push_back(static_cast<std::uint32_t>(*place));
+      if (const auto i = rows.find(parse_row_key(run.row_key))) {
+        indices.push_back(static_cast<std::uint32_t>(*i));
         if (instances != nullptr) instances->push_back(number);
       } else if (!run.optional && outcome.missing++ == 0) {
         outcome.first_missing = run.row_key;
@@ -89,8 +89,8 @@ StudyOutcome in_order_of(const StudyPlan& plan, const Rows& rows,
       }
     }
   }
-  outcome.rows = places.size();
-  if (places.size() < rows.size()) refuse_unknown_row(places, rows);
+  outcome.rows = indices.size();
+  if (indices.size() < rows.size()) refuse_unknown_row(indices, rows);
   return outcome;
 }
 
@@ -105,8 +105,8 @@ std::int64_t required_rows(const StudyPlan& plan) {
 }
 
 StudyOutcome outcome_of(const StudyPlan& plan, const Rows& rows) {
-  std::vector<std::uint32_t> places;
-  return in_order_of(plan, rows, places);
+  std::vector<std::uint32_t> indices;
+  return in_order_of(plan, rows, indices);
 }
 
 Rows rows_so_far(const std::string& results) {
@@ -118,9 +118,9 @@ Rows rows_so_far(const std::string& results) {
 StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
                                const std::string& path) {
   Rows rows = rows_so_far(study.results);
-  std::vector<std::uint32_t> places;
-  StudyOutcome outcome = in_order_of(plan, rows, places);
-  rows.arrange(places);
+  std::vector<std::uint32_t> indices;
+  StudyOutcome outcome = in_order_of(plan, rows, indices);
+  rows.arrange(indices);
   rows.identity().planned_rows = static_cast<std::int64_t>(outcome.rows + outcome.missing);
   write_results(rows, path);
   rows.file = path;
@@ -173,12 +173,12 @@ StudyOutcome merge_study(const std::vector<std::string>& parts, const std::strin
   require_one_program_each(rows.environment());
   const Study study = recorded_study(rows.identity(), parts.front());
   const StudyPlan plan = plan_study(study);
-  std::vector<std::uint32_t> places;
+  std::vector<std::uint32_t> indices;
   std::vector<std::size_t> instances;
-  StudyOutcome outcome = in_order_of(plan, rows, places, &instances);
+  StudyOutcome outcome = in_order_of(plan, rows, indices, &instances);
   outcome.missing_shards = missing_shards(rows.shards());
   if (!outcome.complete()) return outcome;
-  rows.arrange(places);
+  rows.arrange(indices);
   StudyIdentity& identity = rows.identity();
   identity.shard = {};
   identity.planned_rows = static_cast<std::int64_t>(outcome.rows);

@@ -80,19 +80,19 @@ void add(const std::string& name, Kernel kernel, Arguments... arguments) {
 
 /// @param n  a size that the family can make.
 void add_input(const Family& family, std::uint64_t n) {
-  const std::string place = fmt::format("{}/{}", family.name, n);
+  const std::string suffix = fmt::format("{}/{}", family.name, n);
   for (const Algorithm& algorithm : algorithms()) {
     if (family.max_degree > algorithm.guarantee.max_degree) continue;
     if (algorithm.by_name_only) continue;
-    add(fmt::format("draw/{}/{}", algorithm.name, place), draw_kernel, &algorithm, &family, n);
-    add(fmt::format("certify/{}/{}", algorithm.name, place), certify_kernel, &algorithm, &family,
+    add(fmt::format("draw/{}/{}", algorithm.name, suffix), draw_kernel, &algorithm, &family, n);
+    add(fmt::format("certify/{}/{}", algorithm.name, suffix), certify_kernel, &algorithm, &family,
         n);
   }
-  add("search/" + place, search_kernel, &family, n);
-  add("generate/" + place, generate_kernel, &family, n);
+  add("search/" + suffix, search_kernel, &family, n);
+  add("generate/" + suffix, generate_kernel, &family, n);
   for (const GraphFormat& format : graph_formats()) {
     if (format.name == "graph6" && n > kLargestGraph6) continue;
-    add(fmt::format("parse/{}/{}", format.name, place), parse_kernel, &format, &family, n);
+    add(fmt::format("parse/{}/{}", format.name, suffix), parse_kernel, &format, &family, n);
   }
 }
 

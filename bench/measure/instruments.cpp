@@ -175,8 +175,8 @@ void Yardsticks::search(const Heads& heads) {
   seen_.assign(heads.size() / kEdges, false);
   queue_.assign(1, 0);
   seen_[0] = true;
-  for (std::size_t place = 0; place < queue_.size(); ++place) {
-    const std::size_t first = std::size_t{kEdges} * queue_[place];
+  for (std::size_t index = 0; index < queue_.size(); ++index) {
+    const std::size_t first = std::size_t{kEdges} * queue_[index];
     for (std::size_t i = first; i < first + kEdges; ++i) {
       if (seen_[heads[i]]) continue;
       seen_[heads[i]] = true;

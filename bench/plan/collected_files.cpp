@@ -169,7 +169,7 @@ std::vector<std::string> collected_now(const std::string& path,
 bool is_pattern(const std::string& file) { return file.find_first_of("*?[") != std::string::npos; }
 
 [[noreturn]] void refuse_empty(const GraphsEntry& entry) {
-  throw InputError(fmt::format("{}no file matches '{}'", entry.place, printable(entry.file)));
+  throw InputError(fmt::format("{}no file matches '{}'", entry.location, printable(entry.file)));
 }
 
 const std::vector<std::string>& listed_files(const StudyFiles& files, const std::string& path,
@@ -227,8 +227,8 @@ std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const Gra
     if (groups.empty() && has_folders && file.group.empty()) file.group = ".";
   }
   if (!any_group) {
-    throw InputError(fmt::format("{}{} names no file of {}", entry.place, printable(record.groups),
-                                 record.name));
+    throw InputError(fmt::format("{}{} names no file of {}", entry.location,
+                                 printable(record.groups), record.name));
   }
   return files;
 }

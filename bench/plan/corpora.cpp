@@ -85,7 +85,7 @@ bool is_family(const std::string& name) {
 void require_name(const GraphFileRecord& record, const GraphsEntry& entry) {
   if (!is_family(record.name) && is_graphs_name(record.name)) return;
   throw InputError(fmt::format(
-      "{}'{}' {}: {{ file = …, name = … }} gives {} another one", entry.place,
+      "{}'{}' {}: {{ file = …, name = … }} gives {} another one", entry.location,
       printable(record.name),
       is_family(record.name) ? "is the name of a family of the catalogue" : "is no name for graphs",
       printable(record.path)));
@@ -117,7 +117,7 @@ class CorpusReader {
         if (record.entry == number) records.push_back(record);
       }
       if (!records.empty()) return records;
-      throw InputError(fmt::format("{}the study does not say which files '{}' was", entry.place,
+      throw InputError(fmt::format("{}the study does not say which files '{}' was", entry.location,
                                    printable(entry.file)));
     }
     const std::string wanted = absolute_path(files_.folder, entry.file);
@@ -132,7 +132,7 @@ class CorpusReader {
         throw InputError(
             fmt::format("{}cannot read {}: it is a directory; {{ files = …, name = … }} makes one "
                         "collection of it",
-                        entry.place, printable(path)));
+                        entry.location, printable(path)));
       }
       records.push_back(
           {entry.name.empty() ? own_graphs_name(path) : entry.name, number, -1, {}, path});
@@ -142,7 +142,7 @@ class CorpusReader {
       throw InputError(
           fmt::format("{}'{}' is one name for the {} files that '{}' matches: {{ "
                       "files = …, name = … }} makes one collection of them",
-                      entry.place, entry.name, records.size(), printable(entry.file)));
+                      entry.location, entry.name, records.size(), printable(entry.file)));
     }
     return records;
   }
@@ -185,7 +185,7 @@ class CorpusReader {
       return corpus = std::make_shared<const Corpus>(files, now, record.name);
     } catch (const InputError& error) {
       const std::string message = error.what();
-      throw InputError(message.starts_with(entry.place) ? message : entry.place + message);
+      throw InputError(message.starts_with(entry.location) ? message : entry.location + message);
     }
   }
 
@@ -207,7 +207,7 @@ class CorpusReader {
   void require_one_of_a_kind(const GraphFileRecord& record, const CorpusOptions& options,
                              const GraphsEntry& entry) {
     const auto refuse = [&](const std::string& problem) {
-      throw InputError(fmt::format("{}{} {}", entry.place, printable(record.path), problem));
+      throw InputError(fmt::format("{}{} {}", entry.location, printable(record.path), problem));
     };
     const GraphFileRecord& same_name = by_name_.try_emplace(record.name, record).first->second;
     if (same_name.hash != record.hash) {
@@ -231,8 +231,8 @@ class CorpusReader {
     for (const CollectedFile& file : graphs.files()) {
       const std::string& name = by_file_.try_emplace(file.hash, record.name).first->second;
       if (name == record.name) continue;
-      throw InputError(fmt::format("{}a file of {} holds the same graphs as one of {}", entry.place,
-                                   record.name, name));
+      throw InputError(fmt::format("{}a file of {} holds the same graphs as one of {}",
+                                   entry.location, record.name, name));
     }
   }
 

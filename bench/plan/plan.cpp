@@ -128,7 +128,7 @@ class Planner {
           find_family(pattern.family);
         } catch (const InputError& error) {
           throw InputError(fmt::format("{}{}, and no file of this sweep is called so",
-                                       pattern.place, error.what()));
+                                       pattern.location, error.what()));
         }
       }
     }
@@ -202,7 +202,7 @@ class Planner {
                  std::uint32_t end) {
     const auto& corpus = sized.family.corpus;
     const auto index = [&](std::uint32_t i) {
-      return corpus ? corpus->place(sized.first_in_corpus + i) : i;
+      return corpus ? corpus->index(sized.first_in_corpus + i) : i;
     };
     PlannedInstance instance;
     instance.choice = sized.family;

@@ -21,7 +21,7 @@ struct PlannedRun {
   std::string options;  ///< "effort=1"
   std::uint32_t repetition = 0;
   std::string row_key;  ///< 32 hexadecimal digits
-  std::size_t row = 0;  ///< place in the results
+  std::size_t row = 0;  ///< index in the results
   RunPhase phase = RunPhase::metrics;
   std::int64_t scale = -1;  ///< threads or ranks that share the row's batch; -1: it is in none
   std::uint32_t batch = 0;  ///< rows of a phase with equal scale and batch are drawn together
@@ -40,7 +40,7 @@ struct PlannedInstance {
   std::string parameters;  ///< "k=2;p=750000"
   std::uint64_t requested_n = 0;
   std::uint64_t n = 0;      ///< what the family makes of requested_n
-  std::uint32_t index = 0;  ///< of a corpus: the graph's place in the file
+  std::uint32_t index = 0;  ///< of a corpus: the graph's index in the file
   std::uint64_t seed = 0;  ///< a function of the study's seed, family, parameters, n and index only
   std::vector<PlannedRun> runs;
 };
@@ -66,7 +66,7 @@ struct PlannedBlock {
   /// Holds the first of them. Its runs have no keys, unless it stands alone and as it is.
   PlannedInstance first;
   std::size_t count = 0;
-  std::size_t first_place = 0;  ///< of the first instance among all
+  std::size_t first_index = 0;  ///< of the first instance among all
   std::size_t first_row = 0;    ///< of the first instance's first run
 };
 
@@ -78,15 +78,15 @@ class PlannedInstances {
 
   std::size_t size() const { return indices_.size(); }
   std::size_t rows() const { return rows_; }
-  /// Makes an instance afresh by every call: about 1 us per row. @pre place < size().
-  PlannedInstance operator[](std::size_t place) const;
+  /// Makes an instance afresh by every call: about 1 us per row. @pre i < size().
+  PlannedInstance operator[](std::size_t i) const;
   const std::vector<PlannedBlock>& blocks() const { return blocks_; }
 
   /// Begins a block with the first of its instances. @pre it has runs.
   void push_back(PlannedInstance first);
   /// Appends to the last block an instance that differs from its first one in this index.
   void add(std::uint32_t index);
-  /// Returns, of these instances, place `first` and every n-th after it. @pre first < n.
+  /// Returns, of these instances, index `first` and every n-th after it. @pre first < n.
   PlannedInstances every_nth(std::size_t first, std::size_t n) const;
   /// Returns one of n parts. Where the graph of a file goes is a function of the file's graphs and
   /// its number there, so that files that come move none; others are dealt out in turn. @pre
@@ -99,17 +99,16 @@ class PlannedInstances {
  private:
   boost::transform_iterator<std::function<PlannedInstance(std::size_t)>,
                             boost::counting_iterator<std::size_t>>
-  iterator(std::size_t place) const {
-    return {boost::counting_iterator<std::size_t>(place),
-            [this](std::size_t i) { return (*this)[i]; }};
+  iterator(std::size_t i) const {
+    return {boost::counting_iterator<std::size_t>(i), [this](std::size_t i) { return (*this)[i]; }};
   }
 
   PlannedInstances those(
-      const std::function<bool(const PlannedBlock& block, std::size_t place)>& is_taken) const;
+      const std::function<bool(const PlannedBlock& block, std::size_t i)>& is_taken) const;
 
   std::uint64_t study_seed_;
   std::vector<PlannedBlock> blocks_;
-  std::vector<std::uint32_t> indices_;  // by place
+  std::vector<std::uint32_t> indices_;  // by index
   std::size_t rows_ = 0;
 };
 
@@ -141,7 +140,7 @@ bool has_run(const StudyPlan& plan, const std::function<bool(RunPhase)>& is_mean
 /// Returns the work that a row of n vertices is, in a unit that is roughly proportional to time.
 double work_of_row(std::uint64_t n);
 
-/// Returns the places of plan.instances, the most costly first, so that no large one is left to the
+/// Returns the indices of plan.instances, the most costly first, so that no large one is left to the
 /// end; equally costly ones in the plan's order.
 std::vector<std::uint32_t> largest_first(const StudyPlan& plan);
 

@@ -107,14 +107,14 @@ std::size_t required_runs(const PlannedInstance& instance) {
                     [](const PlannedRun& run) { return !run.optional; }));
 }
 
-PlannedInstance PlannedInstances::operator[](std::size_t place) const {
-  expect(place < size(), "a plan has that instance");
+PlannedInstance PlannedInstances::operator[](std::size_t i) const {
+  expect(i < size(), "a plan has that instance");
   const PlannedBlock& block =
-      *std::prev(std::ranges::upper_bound(blocks_, place, {}, &PlannedBlock::first_place));
+      *std::prev(std::ranges::upper_bound(blocks_, i, {}, &PlannedBlock::first_index));
   PlannedInstance instance = block.first;
-  std::size_t row = block.first_row + (place - block.first_place) * instance.runs.size();
+  std::size_t row = block.first_row + (i - block.first_index) * instance.runs.size();
   for (PlannedRun& run : instance.runs) run.row = row++;
-  instance.index = indices_[place];
+  instance.index = indices_[i];
   if (instance.runs.front().row_key.empty()) set_seed_and_keys(study_seed_, instance);
   return instance;
 }
@@ -133,18 +133,18 @@ void PlannedInstances::add(std::uint32_t index) {
 }
 
 PlannedInstances PlannedInstances::those(
-    const std::function<bool(const PlannedBlock& block, std::size_t place)>& is_taken) const {
+    const std::function<bool(const PlannedBlock& block, std::size_t i)>& is_taken) const {
   PlannedInstances part(study_seed_);
   for (const PlannedBlock& block : blocks_) {
     bool has_begun = false;
-    for (std::size_t place = block.first_place; place < block.first_place + block.count; ++place) {
-      if (!is_taken(block, place)) continue;
+    for (std::size_t i = block.first_index; i < block.first_index + block.count; ++i) {
+      if (!is_taken(block, i)) continue;
       if (has_begun) {
-        part.add(indices_[place]);
+        part.add(indices_[i]);
         continue;
       }
       part.push_back(block.first);
-      part.blocks_.back().first.index = part.indices_.back() = indices_[place];
+      part.blocks_.back().first.index = part.indices_.back() = indices_[i];
       has_begun = true;
     }
   }
@@ -152,16 +152,16 @@ PlannedInstances PlannedInstances::those(
 }
 
 PlannedInstances PlannedInstances::every_nth(std::size_t first, std::size_t n) const {
-  return those([=](const PlannedBlock&, std::size_t place) { return place % n == first; });
+  return those([=](const PlannedBlock&, std::size_t i) { return i % n == first; });
 }
 
 PlannedInstances PlannedInstances::part_of(std::size_t part, std::size_t n) const {
   std::size_t dealt = 0;  // of families
-  return those([&, this](const PlannedBlock& block, std::size_t place) {
+  return those([&, this](const PlannedBlock& block, std::size_t i) {
     const auto& corpus = block.first.choice.corpus;
     if (!corpus) return dealt++ % n == part;
-    const CollectedFile& file = corpus->file_at(indices_[place]);
-    const std::uint64_t number = indices_[place] - static_cast<std::uint64_t>(file.first);
+    const CollectedFile& file = corpus->file_at(indices_[i]);
+    const std::uint64_t number = indices_[i] - static_cast<std::uint64_t>(file.first);
     return (XXH3_64bits(file.hash.data(), file.hash.size()) % n + number) % n == part;
   });
 }
@@ -189,14 +189,14 @@ std::vector<std::uint32_t> largest_first(const StudyPlan& plan) {
   std::ranges::stable_sort(blocks, std::greater(), [](const PlannedBlock* block) {
     return work_of_row(block->first.n) * static_cast<double>(block->first.runs.size());
   });
-  std::vector<std::uint32_t> places;
-  places.reserve(plan.instances.size());
+  std::vector<std::uint32_t> indices;
+  indices.reserve(plan.instances.size());
   for (const PlannedBlock* block : blocks) {
     for (std::size_t i = 0; i < block->count; ++i) {
-      places.push_back(static_cast<std::uint32_t>(block->first_place + i));  // at most 10^7
+      indices.push_back(static_cast<std::uint32_t>(block->first_index + i));  // at most 10^7
     }
   }
-  return places;
+  return indices;
 }
 
 }  // namespace ar3d

@@ -108,18 +108,19 @@ RunRecord replayed(const RunRecord& row, const StudyOrigin& origin) {
 
 std::vector<std::size_t> sample_of_rows(const std::vector<RunRecord>& rows, std::size_t count,
                                         std::uint64_t seed) {
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (is_drawn(rows[i]) || rows[i].status == RunStatus::refused) places.push_back(i);
+    if (is_drawn(rows[i]) || rows[i].status == RunStatus::refused) indices.push_back(i);
   }
-  count = std::min(count, places.size());
+  count = std::min(count, indices.size());
   RandomStream random(seed);
   for (std::size_t i = 0; i < count; ++i) {  // a study has at most 10^7 rows
-    std::swap(places[i], places[i + random.below(static_cast<std::uint32_t>(places.size() - i))]);
+    std::swap(indices[i],
+              indices[i + random.below(static_cast<std::uint32_t>(indices.size() - i))]);
   }
-  places.resize(count);
-  std::sort(places.begin(), places.end());
-  return places;
+  indices.resize(count);
+  std::sort(indices.begin(), indices.end());
+  return indices;
 }
 
 }  // namespace ar3d

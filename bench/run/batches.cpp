@@ -19,11 +19,11 @@ constexpr char kDrawn = 'd';
 
 // The places that one rank draws of the rows of a batch which `count` ranks share.
 std::vector<std::size_t> places_of_rank(int rank, int count, std::size_t rows) {
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indices;
   for (auto i = static_cast<std::size_t>(rank); i < rows; i += static_cast<std::size_t>(count)) {
-    places.push_back(i);
+    indices.push_back(i);
   }
-  return places;
+  return indices;
 }
 
 // Rows of one drawing that a process draws for a batch.
@@ -123,22 +123,22 @@ class BatchDrawer {
         stop_(std::move(stop)),
         maker_({.concurrency = 1, .core = -1, .memory = MemoryScope::process}) {}
 
-  // The maker of the rows of the instance at that place of the plan, whose graph is there.
-  RowMaker& maker_for(std::size_t place) {
-    if (place_ != place) {
-      instance_ = plan_.instances[place];
+  // The maker of the rows of the instance at that index of the plan, whose graph is there.
+  RowMaker& maker_for(std::size_t index) {
+    if (place_ != index) {
+      instance_ = plan_.instances[index];
       maker_.prepare(instance_);
-      place_ = place;
+      place_ = index;
     }
     return maker_;
   }
 
   // Threads take the rows one by one, each thread on a core of its own if there are so many.
-  // `rows` are places in the instance's runs; of one algorithm with the same options.
+  // `rows` are indices in the instance's runs; of one algorithm with the same options.
   // @throws InputError if the system starts fewer threads.
-  std::vector<RunRecord> shared_by_threads(int threads, std::size_t place,
+  std::vector<RunRecord> shared_by_threads(int threads, std::size_t index,
                                            const std::vector<std::size_t>& rows) {
-    RowMaker& maker = maker_for(place);
+    RowMaker& maker = maker_for(index);
     const PlannedRun& first = instance_.runs[rows.front()];
     BatchRows batch(*maker.graph(), first.choice, plan_.timing.warm_up,
                     std::vector<RunRecord>(rows.size(), maker.begun(first)), stop_);
@@ -151,21 +151,21 @@ class BatchDrawer {
   // Of r ranks, rank i draws the i-th row and every r-th after it; ranks stay where mpirun has put
   // them. Nothing is sent while they draw. Called on rank 0, whose clock their time is taken
   // from (Ranks::at_once). @throws InternalError what went wrong on a rank.
-  std::vector<RunRecord> shared_by_ranks(Ranks& ranks, int count, std::size_t place,
+  std::vector<RunRecord> shared_by_ranks(Ranks& ranks, int count, std::size_t index,
                                          const std::vector<std::size_t>& rows) {
-    const std::string job = fmt::format("{} {} {}", count, place, fmt::join(rows, " "));
+    const std::string job = fmt::format("{} {} {}", count, index, fmt::join(rows, " "));
     const auto& [wall_s, told] =
         ranks.at_once(count, job, [&](const std::string& text) { return make_ready(text); });
     std::vector<RunRecord> made(rows.size());
     for (int rank = 0; rank < count; ++rank) {
       const std::string& text = told[static_cast<std::size_t>(rank)];
-      const std::vector<std::size_t> places = places_of_rank(rank, count, rows.size());
+      const std::vector<std::size_t> indices = places_of_rank(rank, count, rows.size());
       const std::size_t size = row_message_size();
-      expect(text.size() == places.size() * size, "a rank tells its rows");
-      for (std::size_t i = 0; i < places.size(); ++i) {
+      expect(text.size() == indices.size() * size, "a rank tells its rows");
+      for (std::size_t i = 0; i < indices.size(); ++i) {
         const std::string_view bytes(text.data() + i * size, size);
-        expect(read_row_message(bytes, made[places[i]]) == kDrawn, "a rank tells its rows whole");
-        made[places[i]].batch_s = wall_s;
+        expect(read_row_message(bytes, made[indices[i]]) == kDrawn, "a rank tells its rows whole");
+        made[indices[i]].batch_s = wall_s;
       }
     }
     return made;
@@ -175,11 +175,11 @@ class BatchDrawer {
   Work make_ready(const std::string& job) {
     std::istringstream words(job);
     int count = 1;
-    std::size_t place = 0;
-    words >> count >> place;
+    std::size_t index = 0;
+    words >> count >> index;
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; words >> row;) rows.push_back(row);
-    const RowMaker& maker = maker_for(place);
+    const RowMaker& maker = maker_for(index);
     if (maker.graph() == nullptr) {
       throw InternalError(
           fmt::format("internal error: rank {} cannot generate rank 0's graph", rank_));
@@ -233,17 +233,17 @@ std::vector<std::map<std::uint32_t, Batches>> batched_drawings(const PlannedInst
   return drawings;
 }
 
-std::vector<RunRecord> drawn(RunPhase phase, int scale, std::size_t place,
+std::vector<RunRecord> drawn(RunPhase phase, int scale, std::size_t index,
                              const std::vector<std::size_t>& rows, StudySession& session,
                              BatchDrawer& drawer) {
-  if (!is_over_ranks(phase)) return drawer.shared_by_threads(scale, place, rows);
+  if (!is_over_ranks(phase)) return drawer.shared_by_threads(scale, index, rows);
   Ranks alone;
   Ranks* const ranks = session.policy().ranks;
-  return drawer.shared_by_ranks(ranks != nullptr ? *ranks : alone, scale, place, rows);
+  return drawer.shared_by_ranks(ranks != nullptr ? *ranks : alone, scale, index, rows);
 }
 
 // The batches of one number, by growing scale.
-void make_round(const PlannedInstance& instance, std::size_t place, const Batches& batches,
+void make_round(const PlannedInstance& instance, std::size_t index, const Batches& batches,
                 const RunRecord& reference, StudySession& session, BatchDrawer& drawer) {
   const RunPhase phase = instance.runs[batches.begin()->second.front()].phase;
   const auto emit = [&](const PlannedRun& run, const RunRecord& row) {
@@ -259,7 +259,7 @@ void make_round(const PlannedInstance& instance, std::size_t place, const Batche
       continue;
     }
     std::vector<RunRecord> made =
-        drawn(phase, static_cast<int>(scale), place, rows, session, drawer);
+        drawn(phase, static_cast<int>(scale), index, rows, session, drawer);
     if (session.stopped()) return;  // it may not have been drawn to its end
     if (scale == 1) single_s = made.front().batch_s;
     const double ideal_s = is_strong(phase) ? single_s / static_cast<double>(scale) : single_s;
@@ -277,9 +277,9 @@ void make_round(const PlannedInstance& instance, std::size_t place, const Batche
   }
 }
 
-// All batches of the instance at that place of the plan.
-void make_batches_of(std::size_t place, StudySession& session, BatchDrawer& drawer) {
-  const PlannedInstance instance = session.plan().instances[place];
+// All batches of the instance at that index of the plan.
+void make_batches_of(std::size_t index, StudySession& session, BatchDrawer& drawer) {
+  const PlannedInstance instance = session.plan().instances[index];
   const auto wants = [&](std::size_t i) { return session.wants(instance.runs[i]); };
   for (const auto& rounds : batched_drawings(instance)) {
     std::optional<RunRecord> reference;  // certified outside every batch, or its failure
@@ -291,9 +291,9 @@ void make_batches_of(std::size_t place, StudySession& session, BatchDrawer& draw
       if (!reference) {
         const PlannedRun& run = instance.runs[batches.begin()->second.front()];
         reference = session.failure(instance, run);
-        if (!reference) reference = drawer.maker_for(place).make_row(run);
+        if (!reference) reference = drawer.maker_for(index).make_row(run);
       }
-      make_round(instance, place, batches, *reference, session, drawer);
+      make_round(instance, index, batches, *reference, session, drawer);
     }
   }
 }
@@ -312,7 +312,7 @@ void make_batches(StudySession& session) {
     if (!has_run(block.first, is_batched)) continue;
     for (std::size_t i = 0; i < block.count; ++i) {
       if (session.stopped()) return;
-      make_batches_of(block.first_place + i, session, drawer);
+      make_batches_of(block.first_index + i, session, drawer);
     }
   }
 }

@@ -47,8 +47,8 @@ HeldGraphs graphs_to_hold(const StudySpec& spec, const std::vector<StudyCorpus>&
     std::map<std::uint32_t, std::string> lines;
     double own = 0;
     for (std::size_t i = 0; i < graphs.size() && bytes + own <= spec.graphs_bytes; ++i) {
-      std::string& line = lines[graphs.place(i)];
-      append_sparse6(line, graphs.graph(graphs.place(i)));
+      std::string& line = lines[graphs.index(i)];
+      append_sparse6(line, graphs.graph(graphs.index(i)));
       line.pop_back();
       own += static_cast<double>(line.size() + kBytesOfAPlace);
     }

@@ -105,7 +105,7 @@ RowCosts measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
   instance.requested_n = requested_n;
   if (const auto& corpus = like.choice.corpus) {  // one of that size, or a piece of a larger one
     const std::uint32_t limit = run.choice.algorithm->guarantee.max_degree;
-    instance.index = corpus->place(corpus->first_of_size(requested_n, limit));
+    instance.index = corpus->index(corpus->first_of_size(requested_n, limit));
   }
   const std::uint64_t n = like.choice.family->nearest_n(requested_n, like.choice.parameters);
   std::optional<double> cpu_s;
@@ -153,7 +153,7 @@ class Estimator {
 
   StudyEstimate run(int threads) {
     for (std::size_t i = 0; i < plan_.instances.blocks().size(); ++i) {
-      const PlannedInstance first = plan_.instances[plan_.instances.blocks()[i].first_place];
+      const PlannedInstance first = plan_.instances[plan_.instances.blocks()[i].first_index];
       for (const PlannedRun& run : first.runs) add(i, first, run);
     }
     result_.wall_s = phase_s_[RunPhase::metrics] / threads +
@@ -198,7 +198,7 @@ class Estimator {
 
   CellEstimate& cell_of(const PlannedInstance& instance, const PlannedRun& run) {
     const CurveKey curve = curve_of(instance, run);
-    const auto [at, is_new] = places_.try_emplace({curve, instance.n}, result_.cells.size());
+    const auto [at, is_new] = indices_.try_emplace({curve, instance.n}, result_.cells.size());
     if (is_new) {
       const RowCosts costs = model_of(curve, instance, run)(instance.n);
       CellEstimate cell;
@@ -244,7 +244,7 @@ class Estimator {
   std::map<CurveKey, std::uint64_t> largest_;
   std::map<CurveKey, CostModel> models_;
   std::map<CurveKey, std::vector<const CostModel*>> by_family_;  // without parameters
-  std::map<std::pair<CurveKey, std::uint64_t>, std::size_t> places_;
+  std::map<std::pair<CurveKey, std::uint64_t>, std::size_t> indices_;
   std::set<std::pair<std::ptrdiff_t, std::size_t>> counted_;  // instances of a cell, by block
   std::map<RunPhase, double> phase_s_;
 };

@@ -67,7 +67,7 @@ class StudySession {
 
 /// Describes one row to make. Two jobs of one instance in a row have the same `instance`.
 struct RowJob {
-  std::size_t place = 0;  ///< of the instance in the plan
+  std::size_t index = 0;  ///< of the instance in the plan
   std::shared_ptr<const PlannedInstance> instance;
   const PlannedRun* run = nullptr;  ///< one of instance->runs
   RowRequest request;

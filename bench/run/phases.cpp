@@ -35,12 +35,12 @@ class MetricsSource final : public RowSource {
     std::deque<RowJob>& jobs = jobs_[worker];
     while (jobs.empty()) {
       if (begun_ == order_.size()) return std::nullopt;
-      const std::size_t place = order_[begun_++];
+      const std::size_t index = order_[begun_++];
       const auto instance =
-          std::make_shared<const PlannedInstance>(session().plan().instances[place]);
+          std::make_shared<const PlannedInstance>(session().plan().instances[index]);
       for (const PlannedRun& run : instance->runs) {
         if (run.phase == RunPhase::metrics && session().wants(run)) {
-          jobs.push_back({place, instance, &run, {}});
+          jobs.push_back({index, instance, &run, {}});
         }
       }
       std::ranges::stable_sort(jobs, {}, [](const RowJob& job) { return job.run->repetition; });
@@ -67,7 +67,7 @@ std::vector<int> last_cores(std::uint32_t count) {
 
 // One drawing's repetitions.
 struct TimedDrawing {
-  std::size_t place = 0;
+  std::size_t index = 0;
   std::shared_ptr<const PlannedInstance> instance;
   std::deque<const PlannedRun*> left;  // rows not made yet, by repetition
   std::vector<double> times;           // log_corrected_time()
@@ -88,7 +88,7 @@ class TimingSource final : public RowSource {
         rules_(session.plan().timing) {
     for (const PlannedBlock& block : session.plan().instances.blocks()) {
       if (!has_run(block.first, [](RunPhase phase) { return phase == RunPhase::timing; })) continue;
-      for (std::size_t i = 0; i < block.count; ++i) add_drawings(block.first_place + i);
+      for (std::size_t i = 0; i < block.count; ++i) add_drawings(block.first_index + i);
     }
     begin_round();
   }
@@ -96,9 +96,9 @@ class TimingSource final : public RowSource {
   std::optional<RowJob> next(int) override {
     const std::lock_guard<std::mutex> lock(mutex_);
     while (!round_.empty() || begin_round()) {
-      const std::size_t place = round_.front();
+      const std::size_t index = round_.front();
       round_.pop_front();
-      TimedDrawing& drawing = drawings_[place];
+      TimedDrawing& drawing = drawings_[index];
       if (drawing.left.empty()) continue;  // it has failed meanwhile
       if (const auto failed = session().failure(*drawing.instance, *drawing.left.front())) {
         fail_all(drawing, *failed);
@@ -106,14 +106,14 @@ class TimingSource final : public RowSource {
       }
       const PlannedRun* run = drawing.left.front();
       drawing.left.pop_front();
-      return RowJob{drawing.place,
+      return RowJob{drawing.index,
                     drawing.instance,
                     run,
                     {.certify = !drawing.certified,
                      .warm_ups = rules_.warm_up,
                      .write = rules_.write,
                      .restart = rules_.restart},
-                    place};
+                    index};
     }
     return std::nullopt;
   }
@@ -164,16 +164,16 @@ class TimingSource final : public RowSource {
 
  private:
   // The drawings of an instance: runs of one algorithm and options follow each other in the plan.
-  void add_drawings(std::size_t place) {
+  void add_drawings(std::size_t index) {
     const auto instance =
-        std::make_shared<const PlannedInstance>(session().plan().instances[place]);
+        std::make_shared<const PlannedInstance>(session().plan().instances[index]);
     const PlannedRun* previous = nullptr;
     for (const PlannedRun& run : instance->runs) {
       if (run.phase != RunPhase::timing) continue;
       const bool same = previous != nullptr && is_same_drawing(run, *previous);
       if (!same) {
         drawings_.emplace_back().instance = instance;
-        drawings_.back().place = place;
+        drawings_.back().index = index;
         if (run.precision > 0) drawings_.back().precision = run.precision;
       }
       previous = &run;
@@ -207,8 +207,8 @@ class TimingSource final : public RowSource {
   // Drawings of one graph stand together.
   void shuffle_settings(std::vector<std::size_t>& round) {
     for (auto begin = round.begin(), end = begin; begin != round.end(); begin = end) {
-      const std::size_t place = drawings_[*begin].place;
-      end = std::find_if(begin, round.end(), [&](auto i) { return drawings_[i].place != place; });
+      const std::size_t index = drawings_[*begin].index;
+      end = std::find_if(begin, round.end(), [&](auto i) { return drawings_[i].index != index; });
       order_.shuffle(std::span(begin, end));
     }
   }
@@ -228,7 +228,7 @@ class TimingSource final : public RowSource {
   double yardsticks_s_ = 0;  // that they took
   std::mutex mutex_;
   std::vector<TimedDrawing> drawings_;
-  std::deque<std::size_t> round_;  // places in drawings_ of those that wait for their turn
+  std::deque<std::size_t> round_;  // indices in drawings_ of those that wait for their turn
   RandomStream order_{1};
 };
 

@@ -31,9 +31,9 @@ int workers_for(int asked, int ranks = 1);
 
 /// Holds where the rows of a plan go, and which are there already.
 struct RowSink {
-  /// Takes a new row and its place in the plan, one call at a time. What it throws ends the session
+  /// Takes a new row and its index in the plan, one call at a time. What it throws ends the session
   /// and is thrown again there.
-  std::function<void(std::size_t place, const RunRecord& row)> add;
+  std::function<void(std::size_t index, const RunRecord& row)> add;
   /// Records an entry of the session's environment; may be empty.
   std::function<void(const EnvironmentEntry&)> note = {};
   /// Gives true for a row that is not to be made; empty: there is none. Called by several threads

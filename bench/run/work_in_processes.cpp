@@ -63,7 +63,7 @@ std::vector<int> descriptors_of_graphs(const StudyPlan& plan) {
 
 // What a worker is told. It has the plan from its parent.
 struct RowOrder {
-  std::size_t place = 0;  // of the instance
+  std::size_t index = 0;  // of the instance
   std::size_t run = 0;    // of its runs
   RowRequest request;
 };
@@ -77,8 +77,8 @@ void serve(int socket, const StudyPlan& plan, const Circumstances& circumstances
   std::optional<std::size_t> prepared;
   RowOrder order;
   while (receive_all(socket, bytes_in(order))) {
-    const bool is_new = prepared != order.place;
-    if (is_new) instance = plan.instances[order.place];
+    const bool is_new = prepared != order.index;
+    if (is_new) instance = plan.instances[order.index];
     const PlannedRun& planned = instance.runs.at(order.run);
     RunRecord run;
     {
@@ -90,7 +90,7 @@ void serve(int socket, const StudyPlan& plan, const Circumstances& circumstances
         if (before) setrlimit(RLIMIT_AS, &*before);
       };
       if (is_new) maker.prepare(instance);
-      prepared = order.place;
+      prepared = order.index;
       if (!send_all(socket, row_message(kBegun, maker.begun(planned)))) return;
       run = maker.make_row(planned, order.request);
     }
@@ -131,7 +131,7 @@ struct Worker {
   // False if the process is gone.
   bool send(const RowJob& job) const {
     const auto run = static_cast<std::size_t>(job.run - job.instance->runs.data());
-    RowOrder order{job.place, run, job.request};
+    RowOrder order{job.index, run, job.request};
     return send_all(child.socket(), bytes_in(order));  // less than a socket's buffer: never waits
   }
 
@@ -159,10 +159,10 @@ struct Worker {
   std::string received;
 };
 
-// A place for a worker: it has a row in hand, or there is nothing left for it.
-class WorkerPlace {
+// A slot of a worker: it has a row in hand, or there is nothing left for it.
+class WorkerSlot {
  public:
-  WorkerPlace(RowSource& source, const std::function<double()>& awake_s, int number)
+  WorkerSlot(RowSource& source, const std::function<double()>& awake_s, int number)
       : source_(source), awake_s_(awake_s), number_(number) {}
 
   bool busy() const { return job_.has_value(); }
@@ -274,13 +274,13 @@ class WorkerPlace {
 };
 
 // Waits until a worker has news, a row may be late or it is time to ask for a stop.
-void wait_for_news(const std::vector<WorkerPlace>& places) {
+void wait_for_news(const std::vector<WorkerSlot>& slots) {
   std::vector<pollfd> sockets;
   double left_s = kPatienceSeconds;
-  for (const WorkerPlace& place : places) {
-    if (!place.busy()) continue;
-    sockets.push_back({place.descriptor(), POLLIN, 0});
-    left_s = std::min(left_s, place.left_s());
+  for (const WorkerSlot& slot : slots) {
+    if (!slot.busy()) continue;
+    sockets.push_back({slot.descriptor(), POLLIN, 0});
+    left_s = std::min(left_s, slot.left_s());
   }
   poll(sockets.data(), sockets.size(), static_cast<int>(std::ceil(1000 * left_s)));
 }
@@ -290,23 +290,23 @@ void wait_for_news(const std::vector<WorkerPlace>& places) {
 void work_in_processes(RowSource& source) {
   const auto stopped = [&] { return source.session().stopped(); };
   const std::function<double()> awake_s = awake_clock();
-  std::vector<WorkerPlace> places;
-  places.reserve(static_cast<std::size_t>(source.workers()));
+  std::vector<WorkerSlot> slots;
+  slots.reserve(static_cast<std::size_t>(source.workers()));
   for (int i = 0; i < source.workers() && !stopped(); ++i) {
-    places.emplace_back(source, awake_s, i).begin_next();
+    slots.emplace_back(source, awake_s, i).begin_next();
   }
-  while (std::any_of(places.begin(), places.end(),
-                     [](const WorkerPlace& place) { return place.busy(); })) {
-    wait_for_news(places);
+  while (
+      std::any_of(slots.begin(), slots.end(), [](const WorkerSlot& slot) { return slot.busy(); })) {
+    wait_for_news(slots);
     if (stopped()) return;  // the places' destructors end what is in flight
-    for (WorkerPlace& place : places) {
-      if (!place.busy()) continue;
-      bool done = place.look();
-      if (!done && place.left_s() <= 0) {
-        place.time_out();
+    for (WorkerSlot& slot : slots) {
+      if (!slot.busy()) continue;
+      bool done = slot.look();
+      if (!done && slot.left_s() <= 0) {
+        slot.time_out();
         done = true;
       }
-      if (done && !stopped()) place.begin_next();
+      if (done && !stopped()) slot.begin_next();
     }
   }
 }

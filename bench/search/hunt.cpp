@@ -29,15 +29,15 @@ Graph neighbour(const Graph& graph, RandomStream& random) {
   return random.chance(1, 2) ? with_switched_edges(graph, random) : exchanged_labels(graph, random);
 }
 
-// That of the round, or the next one whose degrees the algorithm can draw. @param place  becomes
+// That of the round, or the next one whose degrees the algorithm can draw. @param index  becomes
 // where it stands in its file.
 Graph drawable_graph(const FamilyChoice& start, const Algorithm& algorithm, std::uint64_t round,
-                     std::uint32_t& place) {
+                     std::uint32_t& index) {
   const Corpus& corpus = *start.corpus;
   const std::uint32_t limit = algorithm.guarantee.max_degree;
   for (std::size_t i = 0; i < corpus.size(); ++i) {
-    place = corpus.place((round + i) % corpus.size());
-    Graph graph = corpus.graph(place);
+    index = corpus.index((round + i) % corpus.size());
+    Graph graph = corpus.graph(index);
     if (graph.max_degree() <= limit) return graph;
   }
   throw InputError(fmt::format("{}: no graph has maximum degree {} or less, as {} needs",
@@ -106,7 +106,7 @@ HuntResult hunt(const Subject& subject, const HuntOptions& options,
   HuntResult result;
   FamilyChoice start;
   std::uint64_t start_seed = 0;
-  std::uint32_t start_place = 0;
+  std::uint32_t start_index = 0;
   const auto is_over = [&] {
     if (result.evaluations == 0) return false;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
@@ -120,7 +120,7 @@ HuntResult hunt(const Subject& subject, const HuntOptions& options,
       result.best = trial;
       result.start = start;
       result.start_seed = start_seed;
-      result.start_place = start_place;
+      result.start_index = start_index;
       if (progress) progress(result);
     }
     return trial;
@@ -132,7 +132,7 @@ HuntResult hunt(const Subject& subject, const HuntOptions& options,
     start_seed = mix_seed(options.seed, number);
     RandomStream random(start_seed, kStepStream);
     Graph graph = start.corpus
-                      ? drawable_graph(start, *subject.choice.algorithm, round, start_place)
+                      ? drawable_graph(start, *subject.choice.algorithm, round, start_index)
                       : generate(*start.family, options.n, start_seed, start.parameters);
     if (round >= (start.corpus ? start.corpus->size() : 1)) graph = shuffled_labels(graph, random);
     Trial current = evaluate(std::move(graph));

@@ -24,7 +24,7 @@ struct HuntResult {
   Trial best;  ///< the first failure, else the largest ratio
   FamilyChoice start;
   std::uint64_t start_seed = 0;   ///< of a family's graph
-  std::uint32_t start_place = 0;  ///< of a corpus's graph in its file
+  std::uint32_t start_index = 0;  ///< of a corpus's graph in its file
   std::uint64_t evaluations = 0;
   std::uint64_t starts = 0;
 };

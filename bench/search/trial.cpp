@@ -84,8 +84,8 @@ bool has_four_cycle(const Graph& graph) {
 /// functions.
 Drawing changed(const Drawing& drawing, const std::function<Point(Point)>& vertex,
                 const std::function<void(EdgeId, std::vector<Point>&)>& bends) {
-  Coordinates places(drawing.num_vertices(), kMaxCoordinate);
-  for (Vertex v = 0; v < drawing.num_vertices(); ++v) places.set(v, vertex(drawing.vertex(v)));
+  Coordinates positions(drawing.num_vertices(), kMaxCoordinate);
+  for (Vertex v = 0; v < drawing.num_vertices(); ++v) positions.set(v, vertex(drawing.vertex(v)));
   const auto edges = std::make_shared<std::vector<Edge>>();
   const auto stored = std::make_shared<StoredBends>();
   std::vector<Point> points;
@@ -96,7 +96,7 @@ Drawing changed(const Drawing& drawing, const std::function<Point(Point)>& verte
     bends(e, inner);
     stored->add_edge(inner);
   }
-  return {drawing.algorithm(), drawing.lattice(), std::move(places), edges, stored};
+  return {drawing.algorithm(), drawing.lattice(), std::move(positions), edges, stored};
 }
 
 /// An edge of a triangle bends on the triangle's third vertex instead.

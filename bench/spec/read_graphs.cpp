@@ -110,7 +110,7 @@ std::vector<GraphsEntry> read_graphs(const toml::node& node) {
   std::vector<GraphsEntry> entries;
   for (const toml::node* given : toml_list(node, "graphs")) {
     GraphsEntry& entry = entries.emplace_back();
-    entry.place = toml_place(*given);
+    entry.location = toml_location(*given);
     if (given->is_string()) {
       entry.file = toml_text(*given, "graphs");
     } else {

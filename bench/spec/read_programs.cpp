@@ -140,7 +140,7 @@ std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
         program.row.options.push_back({option, -kAny - 1, kAny, first_value, "of the program"});
         first.push_back({option, first_value});
       });
-  with_place(node, [&] { command_with(program, first); });
+  with_location(node, [&] { command_with(program, first); });
   return made;
 }
 

@@ -53,7 +53,7 @@ class SpecReader {
                      {"max_n",
                       [&](Node limits, Key key) {
                         read_toml_table(limits, key, {}, [&](Node limit, Key name) {
-                          with_place(limit, [&] { require_algorithm(name); });
+                          with_location(limit, [&] { require_algorithm(name); });
                           into(spec.max_n[name], 0, kMaxN)(limit, name);
                         });
                       }},
@@ -192,7 +192,7 @@ class SpecReader {
           choices.push_back({&family, complete_parameters(family, values)});
         }
       };
-      with_place(*entry, [&] {
+      with_location(*entry, [&] {
         if (name == "all") {
           for (const Family& family : families()) add(family);
         } else {
@@ -215,10 +215,10 @@ class SpecReader {
         continue;
       }
       if (const auto program = find_program(spec_, name)) {
-        with_place(*entry, [&] { add_choices(program, settings, choices); });
+        with_location(*entry, [&] { add_choices(program, settings, choices); });
         continue;
       }
-      with_place(*entry, [&] {
+      with_location(*entry, [&] {
         const Algorithm& algorithm = catalogue_algorithm(name);
         for (const Settings& values : combinations(settings)) {
           choices.push_back({&algorithm, complete_options(algorithm, values)});
@@ -283,13 +283,13 @@ class SpecReader {
     for (const toml::node* entry : one_or_many(node)) {
       CellPattern& pattern = patterns.emplace_back();
       pattern.to = kMaxN;
-      pattern.place = toml_place(*entry);
+      pattern.location = toml_location(*entry);
       read_toml_table(*entry, "include or exclude",
                       {{"family", into(pattern.family)},
                        {"algorithm", into(pattern.algorithm)},
                        {"from", into(pattern.from, 0, kMaxN)},
                        {"to", into(pattern.to, 0, kMaxN)}});
-      with_place(*entry, [&] {
+      with_location(*entry, [&] {
         if (!pattern.family.empty() && !has_graphs) find_family(pattern.family);
         if (!pattern.algorithm.empty()) require_algorithm(pattern.algorithm);
       });
@@ -363,7 +363,7 @@ AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
 Study recorded_study(const StudyIdentity& identity, const std::string& file) {
   StudySpec spec = parse_study(identity.spec, file + " (its specification)");
   for (Sweep& sweep : spec.sweeps) {  // what has become of them since is not a line's fault
-    for (GraphsEntry& entry : sweep.graphs) entry.place = file + ": ";
+    for (GraphsEntry& entry : sweep.graphs) entry.location = file + ": ";
   }
   return {std::move(spec),
           {.begun_with = side_records<GraphFileRecord>(identity),

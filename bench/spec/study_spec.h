@@ -100,12 +100,12 @@ struct GraphsEntry {
   std::string groups;  ///< of a collection: path of a table file → group; empty: sub-folders
   CorpusOptions options;
   std::vector<std::int64_t> shuffles = {0};  ///< numbers of the permutations of the labels; 0: none
-  std::string place;                         ///< "FILE:LINE: " of the specification, for messages
+  std::string location;                      ///< "FILE:LINE: " of the specification, for messages
 };
 
 /// Holds what an include or exclude entry says: an empty name matches all.
 struct CellPattern {
-  std::string place;  ///< "FILE:LINE: " of the specification, for messages
+  std::string location;  ///< "FILE:LINE: " of the specification, for messages
   std::string family;
   std::string algorithm;
   std::uint64_t from = 0;

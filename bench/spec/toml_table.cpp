@@ -35,7 +35,7 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
   }
 }
 
-std::string toml_place(const toml::node& node) {
+std::string toml_location(const toml::node& node) {
   const toml::source_region& source = node.source();
   const std::string file = source.path ? *source.path : "";
   if (file == kOptionsFile) return file + ": ";
@@ -43,10 +43,10 @@ std::string toml_place(const toml::node& node) {
 }
 
 void refuse_toml(const toml::node& node, const std::string& message) {
-  throw InputError(toml_place(node) + message);
+  throw InputError(toml_location(node) + message);
 }
 
-void with_place(const toml::node& node, const std::function<void()>& step) {
+void with_location(const toml::node& node, const std::function<void()>& step) {
   try {
     step();
   } catch (const InputError& error) {

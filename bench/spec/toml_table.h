@@ -20,13 +20,13 @@ toml::table parse_toml(const std::string& text, const std::string& file);
 inline constexpr const char* kOptionsFile = "--graphs";
 
 /// Returns "file:line: " of a node; "--graphs: " of one of options.
-std::string toml_place(const toml::node& node);
+std::string toml_location(const toml::node& node);
 
 /// @throws InputError "file:line: message" with the line of the node.
 [[noreturn]] void refuse_toml(const toml::node& node, const std::string& message);
 
 /// Runs `step`; an InputError of it gets file and line of the node in front.
-void with_place(const toml::node& node, const std::function<void()>& step);
+void with_location(const toml::node& node, const std::function<void()>& step);
 
 /// Reads the value of a key. @param key  names it for people.
 using TomlReader = std::function<void(const toml::node& value, const std::string& key)>;
@@ -87,7 +87,7 @@ template <class Value, class Parse>
 TomlReader parsed_into(Value& to, const Parse& parse) {
   return [&to, parse](const toml::node& node, const std::string& key) {
     const std::string text = toml_text(node, key);
-    with_place(node, [&] { to = parse(text); });
+    with_location(node, [&] { to = parse(text); });
   };
 }
 

@@ -111,12 +111,12 @@ void metric_columns(RecordPass& c, Run& r) {
       c.number(metric.name, metric.unit.c_str(), value, metric.definition.c_str());
     };
     const auto other = [&](auto value) {  // begins as what stands for no value
-      const std::size_t place = others++;
-      if (place < r.other_metrics.size()) value = std::get<decltype(value)>(r.other_metrics[place]);
+      const std::size_t index = others++;
+      if (index < r.other_metrics.size()) value = std::get<decltype(value)>(r.other_metrics[index]);
       column(value);
       if constexpr (!std::is_const_v<Run>) {
-        if (place >= r.other_metrics.size()) r.other_metrics.resize(place + 1);
-        r.other_metrics[place] = value;
+        if (index >= r.other_metrics.size()) r.other_metrics.resize(index + 1);
+        r.other_metrics[index] = value;
       }
     };
     if (members[i] < 3) {

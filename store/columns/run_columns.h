@@ -29,7 +29,7 @@ void store_record(const RunRecord& run, char* record);
 std::vector<char> record_of(const RunRecord& run);
 RunRecord load_record(const char* record);
 
-/// Gives the columns of that kind, in the same order. `offset` is their place in a record of /runs.
+/// Gives the columns of that kind, in the same order. `offset` is their index in a record of /runs.
 std::vector<Column> columns_of_kind(ColumnKind kind);
 
 /// Takes over the metrics of a drawing: all of them, in one go.

@@ -12,9 +12,9 @@ constexpr std::array<const char*, 7> kNames = {"ok",       "timeout", "out_of_me
 constexpr std::array<const char*, 6> kPhases = {"metrics", "timing",   "strong",
                                                 "weak",    "strong_r", "weak_r"};
 
-// The place of a text in a table of names.
+// The index of a text in a table of names.
 template <std::size_t N>
-std::size_t place_of(std::string_view text, const std::array<const char*, N>& names,
+std::size_t index_of(std::string_view text, const std::array<const char*, N>& names,
                      const char* what) {
   for (std::size_t i = 0; i < N; ++i) {
     if (text == names[i]) return i;
@@ -27,13 +27,13 @@ std::size_t place_of(std::string_view text, const std::array<const char*, N>& na
 const char* to_string(RunStatus status) { return kNames.at(static_cast<std::size_t>(status)); }
 
 RunStatus parse_run_status(std::string_view text) {
-  return static_cast<RunStatus>(place_of(text, kNames, "status"));
+  return static_cast<RunStatus>(index_of(text, kNames, "status"));
 }
 
 const char* to_string(RunPhase phase) { return kPhases.at(static_cast<std::size_t>(phase)); }
 
 RunPhase parse_run_phase(std::string_view text) {
-  return static_cast<RunPhase>(place_of(text, kPhases, "phase"));
+  return static_cast<RunPhase>(index_of(text, kPhases, "phase"));
 }
 
 std::string asked_certificate(const RunRecord& run) {

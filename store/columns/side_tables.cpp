@@ -185,12 +185,12 @@ std::vector<Record> records_of(const StoredTable& table) {
 std::string text_of_graphs(const HeldGraphs& graphs) {
   std::string text;
   std::map<std::string_view, std::size_t> numbers;  // of texts that stand there
-  for (const auto& [family, by_place] : graphs) {
+  for (const auto& [family, by_index] : graphs) {
     text += fmt::format("#{} ", family);
     std::uint64_t next = 0;
-    for (const auto& [place, line] : by_place) {
-      if (place != next) text += fmt::format("@{} ", place);
-      next = std::uint64_t{place} + 1;
+    for (const auto& [index, line] : by_index) {
+      if (index != next) text += fmt::format("@{} ", index);
+      next = std::uint64_t{index} + 1;
       const auto [known, is_new] = numbers.try_emplace(line, numbers.size());
       text += is_new ? line : fmt::format("={}", known->second);
       text += ' ';
@@ -303,7 +303,7 @@ HeldGraphs held_graphs(const StudyIdentity& identity) {
   HeldGraphs graphs;
   std::map<std::uint32_t, std::string>* family = nullptr;
   std::vector<std::string> lines;
-  std::uint32_t place = 0;
+  std::uint32_t index = 0;
   for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
     end = std::min(text.find(' ', at), text.size());
     const std::string_view word(text.data() + at, end - at);
@@ -314,12 +314,12 @@ HeldGraphs held_graphs(const StudyIdentity& identity) {
     const bool is_graph = kind == ':' || (kind == '=' && is_number && number < lines.size());
     if (kind == '#') {
       family = &graphs[std::string(word.substr(1))];
-      place = 0;
+      index = 0;
     } else if (kind == '@' && is_number) {
-      place = number;
+      index = number;
     } else if (is_graph && family != nullptr) {
       if (kind == ':') lines.emplace_back(word);
-      family->emplace(place++, kind == ':' ? lines.back() : lines[number]);
+      family->emplace(index++, kind == ':' ? lines.back() : lines[number]);
     } else {
       throw InputError(fmt::format("/graphs: '{}' is no word of it", word.substr(0, 40)));
     }
@@ -353,13 +353,13 @@ bool unite_files(StudyIdentity& all, const StudyIdentity& other) {
     }
   }
   HeldGraphs graphs;
-  std::map<std::string, std::int64_t> places;
+  std::map<std::string, std::int64_t> indices;
   std::vector<CollectedFile> files;
   for (auto& [key, entry] : united) {
     auto& [file, lines] = entry;
-    file.first = std::exchange(places[file.name], places[file.name] + file.graphs);
-    for (auto& [place, line] : lines) {
-      graphs[file.name][static_cast<std::uint32_t>(file.first) + place] = std::move(line);
+    file.first = std::exchange(indices[file.name], indices[file.name] + file.graphs);
+    for (auto& [index, line] : lines) {
+      graphs[file.name][static_cast<std::uint32_t>(file.first) + index] = std::move(line);
     }
     skipped.erase({file.name, file.file});
     files.push_back(std::move(file));

@@ -43,7 +43,7 @@ struct CollectedFile {
   std::string file;         ///< path within the collection; empty: the file of /graph_files itself
   std::string group;        ///< in rows
   std::string hash;         ///< of its graphs
-  std::int64_t first = 0;   ///< place of its first graph among those of its family
+  std::int64_t first = 0;   ///< index of its first graph among those of its family
   std::int64_t graphs = 0;  ///< in it
   bool operator==(const CollectedFile&) const = default;
 };
@@ -81,7 +81,7 @@ void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord&
 /// Counts the files of all collections of a study. @return those that were read, and all.
 std::pair<std::size_t, std::size_t> file_counts(const StudyIdentity& identity);
 
-/// Describes the graphs that results hold: by family and place a line of sparse6 without its end.
+/// Describes the graphs that results hold: by family and index a line of sparse6 without its end.
 using HeldGraphs = std::map<std::string, std::map<std::uint32_t, std::string>>;
 /// Returns the table /graphs of these graphs, each text once.
 StoredTable graphs_table(const HeldGraphs& graphs);

@@ -61,7 +61,7 @@ class TableReader {
 
  private:
   Hdf5Handle dataset_;
-  std::vector<Column> wanted_;  // those that the file has, at their places in a record
+  std::vector<Column> wanted_;  // those that the file has, at their offsets in a record
   std::vector<Column> found_;   // the same, packed
   std::vector<char> missing_;   // a record without any value
   Hdf5Handle type_;             // of found_

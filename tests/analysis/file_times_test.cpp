@@ -45,7 +45,7 @@ Results file_of(Machine machine, std::uint64_t number, double slowdown) {
     const double planted =
         kAlgorithms[algorithm] == std::string(kSlowed) ? std::log1p(slowdown) : 0;
     for (int family = 0; family < 8; ++family) {
-      const double place = 0.005 * normal(random), feeling = 0.015 * normal(random);
+      const double placed = 0.005 * normal(random), feeling = 0.015 * normal(random);
       for (std::int64_t graph = 0; graph < 3; ++graph) {
         RunRecord row =
             good_run(kAlgorithms[algorithm], "family" + std::to_string(family), 300, graph);
@@ -56,7 +56,7 @@ Results file_of(Machine machine, std::uint64_t number, double slowdown) {
           const double burst = random.chance(1, 10) ? std::log1p(0.1 / (1 - random.unit())) : 0;
           const double slowness = state[algorithm][round];
           const double felt = slowness > 0 ? slowness + feeling : 0;
-          row.cpu_s = true_s * std::exp(planted + place + felt + clock[round] + burst +
+          row.cpu_s = true_s * std::exp(planted + placed + felt + clock[round] + burst +
                                         std::abs(0.01 * normal(random)));
           for (std::size_t i = 0; i < row.yardsticks_s.size(); ++i) {
             row.yardsticks_s[i] = std::exp((i < 2 ? state[3][round] : 0) + clock[round] +

@@ -237,8 +237,8 @@ TEST(Report, OfManyFamiliesTheExtremeOnesAreNamed) {
   for (int i = 0; i < 30; ++i) families.push_back("family-" + std::to_string(i));
   Results results = good_results({"diamond"}, families, 5, 1);
   for (ar3d::RunRecord& run : results.runs) {
-    const auto place = std::find(families.begin(), families.end(), run.family) - families.begin();
-    run.extents = {run.n, run.n, run.n * (100 + place) / 40};
+    const auto family = std::find(families.begin(), families.end(), run.family) - families.begin();
+    run.extents = {run.n, run.n, run.n * (100 + family) / 40};
   }
   std::set<std::string> named;
   for (const auto& row : rows_with(tables_of(results)["growth"], "quantity", "z extent")) {

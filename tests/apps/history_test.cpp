@@ -68,13 +68,13 @@ TEST(HistoryProgram, AReleaseHasTheNameAndPlaceThatItIsGiven) {
 TEST(HistoryProgram, GraphsOfARenamedFileAreOneLine) {
   const ScratchDirectory scratch;
   const std::string folder = scratch.path("history"), json = scratch.path("history.json");
-  const auto add = [&](const std::string& file, int place) {
+  const auto add = [&](const std::string& file, int index) {
     must(
         fmt::format("cd {} && {{}} study run -q --threads 1 --graphs {} --algorithm grid "
                     "-o {}.h5",
-                    scratch.path(""), file, place));
+                    scratch.path(""), file, index));
     expect_exit(0, run(fmt::format("{{}} history add {}/{}.h5 --folder {} --place {} --name r{}",
-                                   scratch.path(""), place, folder, place, place)));
+                                   scratch.path(""), index, folder, index, index)));
   };
   must("{} generate random-cubic -n 20 --count 3 -o " + scratch.path("a.s6"));
   must("{} generate random-cubic -n 20 --count 3 --seed 9 -o " + scratch.path("c.s6"));

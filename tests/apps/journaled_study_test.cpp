@@ -165,9 +165,9 @@ TEST_F(JournaledStudy, AFullDiskEndsItResumably) {
 }
 
 TEST_F(JournaledStudy, RefusesPlacesThatCannotBeWrittenBeforeAnyWork) {
-  for (const char* place : {"/proc/s.h5", "/sys/s.h5", "/no/such/folder/s.h5"}) {
-    expect_error(study(std::string("run quick -q -o ") + place),
-                 std::string("cannot write ") + place);
+  for (const char* path : {"/proc/s.h5", "/sys/s.h5", "/no/such/folder/s.h5"}) {
+    expect_error(study(std::string("run quick -q -o ") + path),
+                 std::string("cannot write ") + path);
   }
 }
 

@@ -41,11 +41,11 @@ std::function<void(const ScratchDirectory&)> changed(std::function<void(Results&
   };
 }
 
-void flip_bit(const std::string& path, std::uint64_t place) {
+void flip_bit(const std::string& path, std::uint64_t index) {
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-  file.seekg(static_cast<std::streamoff>(place));
+  file.seekg(static_cast<std::streamoff>(index));
   const char byte = static_cast<char>(file.get() ^ 4);
-  file.seekp(static_cast<std::streamoff>(place));
+  file.seekp(static_cast<std::streamoff>(index));
   file.put(byte);
 }
 

@@ -27,12 +27,12 @@ TEST_F(Files, AllGraphsComeBackBySizeAndPlace) {
   ASSERT_EQ(corpus.size(), graphs.size());
   std::set<std::uint32_t> places;
   for (std::size_t i = 0; i < corpus.size(); ++i) {
-    const std::uint32_t place = corpus.place(i);
+    const std::uint32_t place = corpus.index(i);
     places.insert(place);
     EXPECT_EQ(corpus.n(i), graphs[place].num_vertices());
     EXPECT_EQ(graph_hash(corpus.graph(place)), graph_hash(graphs[place]));
     if (i == 0) continue;
-    EXPECT_LE(std::pair(corpus.n(i - 1), corpus.place(i - 1)), std::pair(corpus.n(i), place));
+    EXPECT_LE(std::pair(corpus.n(i - 1), corpus.index(i - 1)), std::pair(corpus.n(i), place));
   }
   EXPECT_EQ(places.size(), graphs.size());
   EXPECT_EQ(corpus.n(corpus.first_of_size(11, 3)), 12u);
@@ -68,8 +68,8 @@ TEST_F(Files, ASampleIsPartOfEveryLargerOne) {
     EXPECT_EQ(corpus.graphs_in_file(), 30u);
     std::set<std::uint32_t> places;
     for (std::size_t i = 0; i < corpus.size(); ++i) {
-      places.insert(corpus.place(i));
-      EXPECT_EQ(graph_hash(corpus.graph(corpus.place(i))), graph_hash(some()[corpus.place(i)]));
+      places.insert(corpus.index(i));
+      EXPECT_EQ(graph_hash(corpus.graph(corpus.index(i))), graph_hash(some()[corpus.index(i)]));
     }
     EXPECT_EQ(places.size(), std::min<std::uint64_t>(sample, 30));
     return places;

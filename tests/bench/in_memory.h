@@ -16,7 +16,7 @@
 
 namespace ar3d::testing {
 
-/// What a session has made: the rows by place, and the places as they were made.
+/// What a session has made: the rows by index, and the indices as they were made.
 struct Made {
   std::map<std::size_t, RunRecord> rows;
   std::vector<std::size_t> order;
@@ -28,9 +28,9 @@ inline Made make(const StudyPlan& plan, const SessionPolicy& policy,
                  const std::unordered_map<std::string, RunRecord>& finished = {},
                  const std::function<void()>& after_each = {}) {
   Made made;
-  RowSink sink{[&](std::size_t place, const RunRecord& row) {
-                 made.order.push_back(place);
-                 EXPECT_TRUE(made.rows.emplace(place, row).second) << "row " << place << " twice";
+  RowSink sink{[&](std::size_t index, const RunRecord& row) {
+                 made.order.push_back(index);
+                 EXPECT_TRUE(made.rows.emplace(index, row).second) << "row " << index << " twice";
                  if (after_each) after_each();
                },
                [&](const EnvironmentEntry& entry) { made.notes.push_back(entry); }};
@@ -45,7 +45,7 @@ inline Made make(const StudyPlan& plan, const SessionPolicy& policy,
 /// All rows of a plan in its order.
 inline std::vector<RunRecord> made_rows(const StudyPlan& plan, const SessionPolicy& policy = {}) {
   std::vector<RunRecord> rows;
-  for (const auto& [place, row] : make(plan, policy).rows) rows.push_back(row);
+  for (const auto& [index, row] : make(plan, policy).rows) rows.push_back(row);
   EXPECT_EQ(rows.size(), plan.rows());
   rows.resize(plan.rows());
   return rows;

@@ -26,9 +26,9 @@ TEST(RunStudy, TakesOverFinishedRowsAndTellsOnlyTheNewOnes) {
   for (std::size_t i = 0; i < all.size(); i += 3) finished[all[i].row_key] = all[i];
   const Made again = make(plan, {.workers = 2}, finished);
   EXPECT_EQ(again.rows.size(), all.size() - finished.size());
-  for (const auto& [place, row] : again.rows) {
-    EXPECT_NE(place % 3, 0u) << "it is finished";
-    EXPECT_TRUE(differing_columns(all[place], row).empty());
+  for (const auto& [index, row] : again.rows) {
+    EXPECT_NE(index % 3, 0u) << "it is finished";
+    EXPECT_TRUE(differing_columns(all[index], row).empty());
   }
 }
 

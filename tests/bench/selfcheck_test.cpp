@@ -16,12 +16,12 @@ std::vector<RunRecord> study_rows() {
 }
 
 std::map<std::size_t, std::vector<std::string>> differing(const std::vector<RunRecord>& rows,
-                                                          const std::vector<std::size_t>& places) {
+                                                          const std::vector<std::size_t>& indices) {
   std::map<std::size_t, std::vector<std::string>> columns;
-  for (const std::size_t place : places) {
-    const RunRecord now = replayed(rows[place], {.seed = 0});
+  for (const std::size_t index : indices) {
+    const RunRecord now = replayed(rows[index], {.seed = 0});
     EXPECT_NE(now.status, RunStatus::violated);
-    columns[place] = differing_columns(rows[place], now);
+    columns[index] = differing_columns(rows[index], now);
   }
   return columns;
 }
@@ -55,7 +55,7 @@ TEST(SelfCheck, TheSampleIsAFunctionOfItsSeedAndLeavesOutWhatCannotBeReplayed) {
   ASSERT_EQ(sample.size(), 100u);
   EXPECT_TRUE(std::is_sorted(sample.begin(), sample.end()));
   EXPECT_EQ(std::adjacent_find(sample.begin(), sample.end()), sample.end()) << "no row twice";
-  for (const std::size_t place : sample) EXPECT_EQ(place % 2, 1u);
+  for (const std::size_t index : sample) EXPECT_EQ(index % 2, 1u);
   EXPECT_EQ(sample, sample_of_rows(rows, 100, 7));
   EXPECT_NE(sample, sample_of_rows(rows, 100, 8));
   EXPECT_LT(sample.front(), 200u) << "from everywhere";

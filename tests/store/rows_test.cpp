@@ -37,8 +37,8 @@ TEST(Rows, IsVisitedInTheOrderOfItsFiles) {
   rows.visit([&keys](const char* record) { keys.push_back(load_record(record).row_key); });
   for (const RunRecord& run : rows_from(0, 2500).runs) expected.push_back(run.row_key);
   EXPECT_EQ(keys, expected);
-  for (std::size_t place = 1; place < rows.size(); ++place) {
-    EXPECT_LT(rows.key(place - 1), rows.key(place));
+  for (std::size_t index = 1; index < rows.size(); ++index) {
+    EXPECT_LT(rows.key(index - 1), rows.key(index));
   }
 }
 

@@ -88,12 +88,12 @@ TEST(Columns, DifferencesNameTheColumnAndLeaveTimesOut) {
 
 TEST(Columns, IdentifyingTextsArePrintableAtEveryPlace) {
   for (int c = 0; c < 256; ++c) {
-    for (std::size_t place = 0; place < 19; ++place) {
+    for (std::size_t index = 0; index < 19; ++index) {
       ar3d::RunRecord run = sample_run(4);
-      run.options = std::string(19, place % 2 == 0 ? ' ' : '~');
-      run.options[place] = static_cast<char>(c);
+      run.options = std::string(19, index % 2 == 0 ? ' ' : '~');
+      run.options[index] = static_cast<char>(c);
       EXPECT_EQ(problem([&] { record_of(run); }).empty(), c >= ' ' && c <= '~')
-          << c << " at " << place;
+          << c << " at " << index;
     }
   }
 }

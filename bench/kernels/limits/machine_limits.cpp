@@ -68,7 +68,7 @@ void walk(State& state) {
       at[i] = static_cast<std::uint32_t>(i * (lines.size() / Chains));
     }
     for (std::size_t step = 0; step < kSteps; ++step) {
-      for (std::uint32_t& place : at) place = lines[place];
+      for (std::uint32_t& next : at) next = lines[next];
     }
     benchmark::DoNotOptimize(at);
   }

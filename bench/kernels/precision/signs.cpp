@@ -133,8 +133,8 @@ std::string map_svg(const SignMap& map, double left) {
   for (int row = 0; row < kWindow; ++row) {
     for (int column = 0, end = 0; column < kWindow; column = end) {
       const auto at = [&](int i) {
-        const auto place = static_cast<std::size_t>(row) * kWindow + static_cast<std::size_t>(i);
-        return colour(map.exact[place], map.seen[place]);
+        const auto index = static_cast<std::size_t>(row) * kWindow + static_cast<std::size_t>(i);
+        return colour(map.exact[index], map.seen[index]);
       };
       for (end = column + 1; end < kWindow && at(end) == at(column);) ++end;
       svg += fmt::format("<path fill='{}' d='M{} {}h{}v{}h-{}z'/>\n", at(column),
