@@ -78,7 +78,7 @@ std::string repetition_key(const RunRecord& run);
 struct Fingerprint {
   std::size_t key = 0;          ///< of repetition_key
   std::size_t row = 0;          ///< so that rows of one key are neighbours, in file order
-  std::size_t measurement = 0;  ///< of phase, scale and repetition
+  std::size_t measurement = 0;  ///< of phase, number of workers and repetition
   std::size_t drawing = 0;      ///< of what repetitions must have in common; 0: the row is not ok
   auto operator<=>(const Fingerprint&) const = default;
 };

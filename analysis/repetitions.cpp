@@ -69,7 +69,7 @@ Fingerprint fingerprint_of(const RunRecord& run, std::size_t row) {
   const std::hash<std::string> hash;
   Fingerprint print{hash(repetition_key(run)), row, 0, 0};
   print.measurement = hash(fmt::format("{} {} {} {} {}", run.level, asked_certificate(run),
-                                       static_cast<int>(run.phase), run.scale, run.repetition));
+                                       static_cast<int>(run.phase), run.workers, run.repetition));
   if (run.status == RunStatus::ok) {
     print.drawing =
         hash(fmt::format("{}\n{}\n{} {}\n{}\n{}\n{}\n{}", run.graph_hash, run.drawing_hash, run.n,
@@ -95,7 +95,7 @@ void find_in_repetitions(const Rows& rows, const std::vector<Fingerprint>& sorte
       const RunRecord& run = rows.run(print.row);
       const std::string drawing = repetition_key(run);
       if (!measured
-               .insert({drawing, run.level, asked_certificate(run), run.phase, run.scale,
+               .insert({drawing, run.level, asked_certificate(run), run.phase, run.workers,
                         run.repetition})
                .second) {
         found({FindingKind::duplicate, print.row, "the same measurement stands twice"}, run);

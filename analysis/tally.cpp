@@ -199,9 +199,9 @@ void Tallying::add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& op
 }
 
 void Tallying::add_batch(const RunRecord& run, const CurveKey& key) {
-  if (run.scale < 1 || !(run.efficiency > 0) || !(run.batch_s > 0)) return;
+  if (run.workers < 1 || !(run.efficiency > 0) || !(run.batch_s > 0)) return;
   auto& [batch_s, ideal_s] =
-      tally_.batches[{run.phase, algorithm_label(key), family_label(key), run.n, run.scale}];
+      tally_.batches[{run.phase, algorithm_label(key), family_label(key), run.n, run.workers}];
   if (batch_s.size() == kMostBatches) return;
   batch_s.push_back(run.batch_s);
   ideal_s.push_back(run.ideal_batch_s);

@@ -137,7 +137,7 @@ int add_results(const HistoryArguments& arguments) {
     throw InputError(fmt::format("cannot create {}: {}", arguments.folder, error.message()));
   }
   write_file_atomically(path, read_whole(arguments.results));
-  if (manner.json) print_json({{"added", path}});
+  if (output_mode.json) print_json({{"added", path}});
   note(stdout, "added    {}\n", path);
   return kPass;
 }
@@ -145,9 +145,9 @@ int add_results(const HistoryArguments& arguments) {
 int report_history(const HistoryArguments& arguments) {
   const std::string page =
       arguments.output.empty() ? arguments.folder + "/history.html" : arguments.output;
-  manner.json = arguments.json == "-";
+  output_mode.json = arguments.json == "-";
   refuse_unsafe_outputs({.inputs = results_files(arguments.folder),
-                         .outputs = {manner.json ? "" : arguments.json},
+                         .outputs = {output_mode.json ? "" : arguments.json},
                          .page = page,
                          .page_is = "<title>ar3d history: ",
                          .force = arguments.force,
@@ -169,7 +169,7 @@ int report_history(const HistoryArguments& arguments) {
   const std::vector<Table> tables = history_tables(history, arguments.folder);
   write_file_atomically(page, render_page("history", arguments.folder, tables));
   if (!arguments.json.empty()) write_json(arguments.json, tables_json(tables));
-  if (!manner.json) say("{}", summary(history));
+  if (!output_mode.json) say("{}", summary(history));
   note(stdout, "page     {}\n", page);
   for (const HistoryLine& line : history.lines) {
     if (line.is_judged) return kPass;

@@ -190,7 +190,7 @@ class OptimumRun {
     }
     if (!arguments_.proofs.empty()) write_file_atomically(arguments_.proofs + "/index.csv", index_);
     if (drawings_) drawings_->commit();
-    if (manner.json) print_json({{"graphs", std::move(answers_)}});
+    if (output_mode.json) print_json({{"graphs", std::move(answers_)}});
     return exit_code_;
   }
 
@@ -231,7 +231,7 @@ class OptimumRun {
          found.formulas.size(), cpu_s);
     (void)std::fflush(stdout);
     if (!found.too_large.empty()) say(stderr, "ar3d: {}: {}\n", answer.where, found.too_large);
-    if (manner.json) answers_.push_back(answer_json(answer, arguments_));
+    if (output_mode.json) answers_.push_back(answer_json(answer, arguments_));
     append_index_lines(index_, answer, arguments_);
     if (!found.is_closed() && exit_code_ == kPass) exit_code_ = kIncomplete;
     if (!found.drawing) {

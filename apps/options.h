@@ -34,11 +34,11 @@ CLI::Option* add_repeated(CLI::App& verb, const std::string& name, std::vector<s
 void add_threads_option(CLI::App& verb);
 
 /// Holds what -q, which every verb has, and --json ask of the verb that runs.
-struct Manner {
+struct OutputMode {
   bool quiet = false;
   bool json = false;
 };
-inline Manner manner;
+inline OutputMode output_mode;
 
 /// Returns the flag --json of verbs with a result: one JSON object instead of text.
 CLI::Option* add_json(CLI::App& verb);
@@ -49,7 +49,7 @@ void print_json(const nlohmann::ordered_json& json);
 /// standard output.
 template <class... Values>
 void note(std::FILE* to, fmt::format_string<Values...> format, Values&&... values) {
-  if (to == stderr ? manner.quiet : manner.json) return;
+  if (to == stderr ? output_mode.quiet : output_mode.json) return;
   say(to, format, std::forward<Values>(values)...);
 }
 
@@ -57,7 +57,7 @@ void note(std::FILE* to, fmt::format_string<Values...> format, Values&&... value
 template <class... Values>
 void tell(const nlohmann::ordered_json& json, fmt::format_string<Values...> format,
           Values&&... values) {
-  if (manner.json) return print_json(json);
+  if (output_mode.json) return print_json(json);
   say(format, std::forward<Values>(values)...);
 }
 

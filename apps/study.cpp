@@ -101,7 +101,7 @@ int conclude(const JournaledStudy& study, Rows made, bool force, bool unchanged)
   if (!is_timed) {
     note(stdout, "times    not measured: --timed N does\n");
   }
-  if (!manner.json) say("{}", left_out_text(rows.identity()));
+  if (!output_mode.json) say("{}", left_out_text(rows.identity()));
   if (study.shard.count > 1) {
     note(stdout, "shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
          study.shard.index, study.shard.count);
@@ -118,7 +118,7 @@ int conclude(const JournaledStudy& study, Rows made, bool force, bool unchanged)
 
 // What the results of a study of files do not hold, and whether `resume` can change that.
 void tell_limits_of_files(const JournaledStudy& study, const StudyIdentity& identity) {
-  const HeldGraphs held = held_graphs(identity);
+  const StoredGraphs held = stored_graphs(identity);
   bool is_held = true;
   std::set<std::string> told;
   for (const StudyCorpus& corpus : corpora_of(study)) {
@@ -133,7 +133,8 @@ void tell_limits_of_files(const JournaledStudy& study, const StudyIdentity& iden
   if (come.empty()) return;
   say(stderr, "ar3d: {} came after the files were listed at {}, and {} not in the results: {}{}\n",
       come.size() == 1 ? "1 file" : fmt::format("{} files", come.size()),
-      time_with_zone(*study.files.shelf->listed), come.size() == 1 ? "is" : "are", first_few(come),
+      time_with_zone(*study.files.open_files->listed), come.size() == 1 ? "is" : "are",
+      first_few(come),
       is_held ? fmt::format("; `ar3d study resume {}` draws them", shell_word(study.results)) : "");
 }
 
@@ -151,16 +152,16 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
   StudyOutcome outcome = run_journaled(study, policy, ranks);
   if (!ranks.is_first()) return kPass;
   study.results = outcome.results;
-  if (!manner.quiet) tell_limits_of_files(study, outcome.in_hand->identity());
+  if (!output_mode.quiet) tell_limits_of_files(study, outcome.in_hand->identity());
   if (outcome.complete()) {
     return conclude(study, std::move(*outcome.in_hand), arguments.force, was_whole);
   }
   say(stderr, "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
       is_interrupted() ? "interrupted" : "not finished", outcome.rows, study.results,
       outcome.missing, shell_word(study.results));
-  if (is_interrupted() && !manner.json) return kInterrupted;
+  if (is_interrupted() && !output_mode.json) return kInterrupted;
   const CheckVerdict verdict = judge(*outcome.in_hand, study.results);
-  if (manner.json) print_json(verdict_json(verdict, outcome.in_hand->identity()));
+  if (output_mode.json) print_json(verdict_json(verdict, outcome.in_hand->identity()));
   return is_interrupted() ? kInterrupted : verdict.exit_code();
 }
 
@@ -189,7 +190,7 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
   SessionPolicy policy = arguments.policy;
   policy.workers = workers_for(arguments.workers, ranks->size());
   policy.ranks = ranks.get();
-  if (!manner.quiet && ranks->size() == 1) policy.progress = stderr;
+  if (!output_mode.quiet && ranks->size() == 1) policy.progress = stderr;
   std::string remarks;
   const auto begin_possible = [&] {
     JournaledStudy begun = begin();
@@ -201,7 +202,7 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
     const bool is_alone = ranks->size() == 1;
     tell_failure(is_alone ? std::nullopt : std::optional(ranks->rank()), error.what(),
                  exit_code == kIncomplete ? results : std::nullopt);
-    ranks->give_up(exit_code);
+    ranks->abort_all(exit_code);
     return exit_code;
   };
   try {
@@ -348,7 +349,7 @@ int merge(const RunArguments& arguments) {
                          .streams = false});
   refuse_foreign_ending(arguments.output, {".h5", ".hdf5"});
   const StudyOutcome outcome = merge_study(arguments.parts, arguments.output);
-  if (manner.json) {
+  if (output_mode.json) {
     print_json({{"rows", outcome.rows},
                 {"files", arguments.parts.size()},
                 {"missing", outcome.missing},

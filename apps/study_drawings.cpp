@@ -93,7 +93,7 @@ int count(const CountArguments& arguments) {
                         {"counted_instructions", run.counted_instructions},
                         {"estimated_cycles", run.estimated_cycles}});
   }
-  if (manner.json) print_json({{"drawings", drawings}});
+  if (output_mode.json) print_json({{"drawings", drawings}});
   write_results(results, path);
   return kPass;
 }

@@ -157,7 +157,7 @@ std::string crowded_batches(const StudyPlan& plan) {
   std::int64_t most = 0;
   for (const PlannedBlock& block : plan.instances.blocks()) {
     for (const PlannedRun& run : block.first.runs) {
-      if (is_batched(run.phase) && !is_over_ranks(run.phase)) most = std::max(most, run.scale);
+      if (is_batched(run.phase) && !is_over_ranks(run.phase)) most = std::max(most, run.workers);
     }
   }
   if (most <= cores) return "";
@@ -289,8 +289,8 @@ void add_study_plan(CLI::App& study, int&) {
     note(stderr, "ar3d: {} graphs planned; small ones are drawn to estimate time and memory\n",
          plan.instances.size());
     const StudyEstimate made = estimate(plan, workers);
-    if (manner.json) print_json(plan_json(asked.spec, plan, made));
-    if (!manner.json) print_estimate(asked, plan, made, workers);
+    if (output_mode.json) print_json(plan_json(asked.spec, plan, made));
+    if (!output_mode.json) print_estimate(asked, plan, made, workers);
     refuse_impossible(plan, made, available_memory());
   });
 }

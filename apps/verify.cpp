@@ -202,9 +202,9 @@ int verify_drawings(const VerifyArguments& arguments) {
       [&](const LineToJudge& task) { return judge(task, arguments); },
       [&](const JudgedLine& line) {
         ++counts[static_cast<std::size_t>(line.first)];
-        if (manner.quiet || line.second.empty()) return;
+        if (output_mode.quiet || line.second.empty()) return;
         note(stdout, "{}", line.second);
-        if (!manner.json) return;
+        if (!output_mode.json) return;
         messages.push_back({{"verdict", kVerdictNames[static_cast<std::size_t>(line.first)]},
                             {"text", line.second}});
       });
@@ -236,7 +236,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_option("--certificate", arguments->certificate, "exact, or none: nothing is judged")
       ->excludes(test);
   add_threads_option(*verb);
-  verb->add_flag("-q,--quiet", manner.quiet, "only the summary");
+  verb->add_flag("-q,--quiet", output_mode.quiet, "only the summary");
   add_json(*verb);
   verb->footer(
       "Exit code 4 if a drawing is violated. Exit code 5 if a graph was not drawn, a drawing's "

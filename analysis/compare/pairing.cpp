@@ -21,7 +21,7 @@ auto graph_of(const RunRecord& run) {
 
 auto identity(const RunRecord& run) {
   return std::tuple_cat(std::tuple(curve_of(run)), graph_of(run),
-                        std::tuple(run.phase, run.scale, run.repetition));
+                        std::tuple(run.phase, run.workers, run.repetition));
 }
 
 using RowIndex = std::map<decltype(identity(RunRecord())), const RunRecord*>;

@@ -130,14 +130,14 @@ std::int64_t cores_of(const std::vector<EnvironmentEntry>& environment) {
 
 /// The part of the work that is not shared, by the law of Amdahl (1967), of a batch that took so
 /// many times its ideal time.
-double serial_part(double slower, double sharers) { return (slower - 1) / (sharers - 1); }
+double serial_part(double slower, double workers) { return (slower - 1) / (workers - 1); }
 
 void add_scaling(TableMaker& make) {
   Table& table = make.table("scaling");
   const std::int64_t cores = cores_of(make.analysis.rows.environment());
   for (const auto& [key, batch] : make.analysis.tally.batches) {
     const auto& [phase, algorithm, family, n, count] = key;
-    const auto sharers = static_cast<double>(count);
+    const auto workers = static_cast<double>(count);
     const double batch_s = median(batch[0]), ideal_s = median(batch[1]);
     const auto [low, high] = median_interval(batch[0]);
     std::vector<TableCell> row = {algorithm,
@@ -149,13 +149,13 @@ void add_scaling(TableMaker& make) {
                                   batch_s,
                                   ideal_s,
                                   ideal_s / batch_s,
-                                  ideal_s / batch_s * sharers,
+                                  ideal_s / batch_s * workers,
                                   low,
                                   high,
                                   !is_over_ranks(phase) && cores > 0 && count > cores};
     if (is_strong(phase) && count > 1) {
       for (const double seconds : {batch_s, low, high}) {
-        row.emplace_back(serial_part(seconds / ideal_s, sharers));
+        row.emplace_back(serial_part(seconds / ideal_s, workers));
       }
     }
     row.resize(table.columns.size());

@@ -177,7 +177,7 @@ class MpiRanks final : public Ranks {
     return {wall_s, std::move(told)};
   }
 
-  void help(const MakeReady& make_ready) override {
+  void serve(const MakeReady& make_ready) override {
     for (std::string job = receive_text(0, kJobTag); !job.empty(); job = receive_text(0, kJobTag)) {
       const Work work = made_ready(make_ready, job);
       send_word(0, kReadyTag);
@@ -191,11 +191,11 @@ class MpiRanks final : public Ranks {
     }
   }
 
-  void give_up(int exit_code) override {
+  void abort_all(int exit_code) override {
     if (size_ > 1) MPI_Abort(MPI_COMM_WORLD, exit_code);
   }
 
-  void dismiss() override {
+  void stop_serving() override {
     for (int rank = 1; rank < size_; ++rank) send_text("", rank, kJobTag);
   }
 

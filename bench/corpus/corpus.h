@@ -152,7 +152,7 @@ class Corpus {
 };
 
 /// Holds what a study has listed and opened, for all copies of it: nothing is listed or read twice.
-struct CorpusShelf {
+struct OpenFiles {
   std::optional<std::chrono::system_clock::time_point> listed;   ///< when files were first listed
   std::map<std::string, std::vector<std::string>> listings;      ///< by path, pattern or folder
   std::map<std::string, std::shared_ptr<const Corpus>> corpora;  ///< by files and options

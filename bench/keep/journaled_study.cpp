@@ -67,7 +67,7 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
   identity = parse_identity(ranks.from_first(identity_text(identity)), results);
   Study same = recorded_study(identity, results);
   same.files.own = own_files_of(results);
-  if (study) same.files.shelf = study->files.shelf;
+  if (study) same.files.open_files = study->files.open_files;
   together(ranks, [&same] { corpora_of(same); });  // so that all ranks have read the same graphs
   return {std::move(same),
           identity.shard,
@@ -92,10 +92,10 @@ void make_on_ranks(StudyPlan& plan, SessionPolicy policy, Ranks& ranks, StudyLog
   run_session(share, policy, log.sink(*there));
   there.reset();
   ranks.barrier();
-  if (!ranks.is_first()) ranks.help(batch_parts(plan, ranks.rank(), is_interrupted));
+  if (!ranks.is_first()) ranks.serve(batch_parts(plan, ranks.rank(), is_interrupted));
   together(ranks, [&] {
     if (!ranks.is_first()) return;
-    BOOST_SCOPE_EXIT_ALL(&) { ranks.dismiss(); };
+    BOOST_SCOPE_EXIT_ALL(&) { ranks.stop_serving(); };
     policy.metrics_phase = false;
     policy.timed_phases = timed_phases;
     if (plan.budget.study_s) *plan.budget.study_s -= time.wall_s();  // what is left of it

@@ -174,7 +174,7 @@ bool is_pattern(const std::string& file) { return file.find_first_of("*?[") != s
 
 const std::vector<std::string>& listed_files(const StudyFiles& files, const std::string& path,
                                              bool is_collection) {
-  CorpusShelf& shelf = *files.shelf;
+  OpenFiles& shelf = *files.open_files;
   if (!shelf.listed) shelf.listed = std::chrono::system_clock::now();
   const std::string key = (is_collection ? kCollection : "") + path;
   const auto known = shelf.listings.find(key);
@@ -189,7 +189,7 @@ const std::vector<std::string>& listed_files(const StudyFiles& files, const std:
 
 std::vector<std::string> files_come_since(const StudyFiles& files) {
   std::vector<std::string> come;
-  for (const auto& [key, then] : files.shelf->listings) {
+  for (const auto& [key, then] : files.open_files->listings) {
     if (!key.starts_with(kCollection)) continue;
     const std::string path = key.substr(std::string_view(kCollection).size());
     std::error_code ignored;

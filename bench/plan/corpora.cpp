@@ -28,8 +28,8 @@ std::string absolute_path(const std::string& folder, const std::string& file) {
 /// none of this family.
 std::vector<CorpusFile> held_files(const StudyFiles& known, const GraphFileRecord& record) {
   std::vector<CorpusFile> files;
-  if (!known.held || !known.held->contains(record.name)) return files;
-  const std::map<std::uint32_t, std::string>& lines = known.held->at(record.name);
+  if (!known.stored_graphs || !known.stored_graphs->contains(record.name)) return files;
+  const std::map<std::uint32_t, std::string>& lines = known.stored_graphs->at(record.name);
   for (const CollectedFile& file : known.collected) {
     if (file.name != record.name) continue;
     if (file.first < 0 || file.graphs < 0 || file.first > kMostPlaces - file.graphs) {
@@ -67,8 +67,8 @@ std::string changed_file(const StudyFiles& known, const std::string& family, con
 }
 
 /// What a corpus is opened by: files and options.
-std::string shelf_key(const GraphFileRecord& record, const CorpusOptions& options, bool is_held,
-                      bool grows) {
+std::string file_key(const GraphFileRecord& record, const CorpusOptions& options, bool is_held,
+                     bool grows) {
   const ReadOptions& reading = options.reading;
   return fmt::format("{}\n{}\n{}\n{};{};{};{};{};{};{};{};{};{};{}", record.name, record.path,
                      record.groups, reading.format, reading.base.value_or(2),
@@ -171,7 +171,7 @@ class CorpusReader {
     try {
       const bool grows = files_.grow && options.sample == 0;  // a sample stays as it was drawn
       std::shared_ptr<const Corpus>& corpus =
-          files_.shelf->corpora[shelf_key(record, options, is_held(record), grows)];
+          files_.open_files->corpora[file_key(record, options, is_held(record), grows)];
       if (corpus) return corpus;
       std::vector<CorpusFile> files = held_files(files_, record);
       if (files.empty() || grows) {
@@ -190,7 +190,7 @@ class CorpusReader {
   }
 
   bool is_held(const GraphFileRecord& record) const {
-    return files_.held && files_.held->contains(record.name);
+    return files_.stored_graphs && files_.stored_graphs->contains(record.name);
   }
 
   /// @param may_be_gone  then there are none where the file or folder is not there any more.

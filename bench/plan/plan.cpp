@@ -29,16 +29,17 @@ std::uint32_t probed_degree(const FamilyChoice& choice, const std::vector<std::u
 }
 
 // Drawings of all repetitions of a batch that so many share; at most 2^50.
-std::uint64_t drawings_of(const BatchRules& batches, std::uint32_t scale, RunPhase phase) {
+std::uint64_t drawings_of(const BatchRules& batches, std::uint32_t workers, RunPhase phase) {
   const std::uint64_t drawings = std::uint64_t{batches.repetitions} * batches.drawings;
-  return is_strong(phase) ? drawings : drawings * scale;
+  return is_strong(phase) ? drawings : drawings * workers;
 }
 
 // Rows of one drawing; at most 2^62.
 std::uint64_t rows_of_a_drawing(const Sweep& sweep) {
   std::uint64_t rows = std::uint64_t{sweep.repetitions} + sweep.timed.most;
   for (const auto& [phase, batches] : sweep.batches) {
-    for (const std::uint32_t scale : batches.scales) rows += drawings_of(batches, scale, phase);
+    for (const std::uint32_t workers : batches.workers)
+      rows += drawings_of(batches, workers, phase);
   }
   return rows;
 }
@@ -46,9 +47,10 @@ std::uint64_t rows_of_a_drawing(const Sweep& sweep) {
 // Every row of one drawing, in order.
 template <class Use>
 void for_each_row(const Sweep& sweep, PlannedRun run, Use&& use) {
-  const auto make = [&](RunPhase phase, std::int64_t scale, std::uint32_t i, std::uint32_t batch) {
+  const auto make = [&](RunPhase phase, std::int64_t workers, std::uint32_t i,
+                        std::uint32_t batch) {
     run.phase = phase;
-    run.scale = scale;
+    run.workers = workers;
     run.repetition = i;
     run.batch = batch;
     run.optional = phase == RunPhase::timing && i >= sweep.timed.least;
@@ -57,10 +59,10 @@ void for_each_row(const Sweep& sweep, PlannedRun run, Use&& use) {
   for (std::uint32_t i = 0; i < sweep.repetitions; ++i) make(RunPhase::metrics, -1, i, 0);
   for (std::uint32_t i = 0; i < sweep.timed.most; ++i) make(RunPhase::timing, -1, i, 0);
   for (const auto& [phase, batches] : sweep.batches) {
-    for (const std::uint32_t scale : batches.scales) {
-      const auto drawings = static_cast<std::uint32_t>(drawings_of(batches, scale, phase));
+    for (const std::uint32_t workers : batches.workers) {
+      const auto drawings = static_cast<std::uint32_t>(drawings_of(batches, workers, phase));
       const std::uint32_t members = drawings / batches.repetitions;
-      for (std::uint32_t i = 0; i < drawings; ++i) make(phase, scale, i, i / members);
+      for (std::uint32_t i = 0; i < drawings; ++i) make(phase, workers, i, i / members);
     }
   }
 }
@@ -256,7 +258,7 @@ class Planner {
         const bool is_new =
             known
                 .emplace(choice.algorithm, row.options, choice.level,
-                         to_string(row.choice.certificate), row.phase, row.scale, row.repetition)
+                         to_string(row.choice.certificate), row.phase, row.workers, row.repetition)
                 .second;
         if (is_new) instance.runs.push_back(row);
       });

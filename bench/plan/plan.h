@@ -23,8 +23,8 @@ struct PlannedRun {
   std::string row_key;  ///< 32 hexadecimal digits
   std::size_t row = 0;  ///< index in the results
   RunPhase phase = RunPhase::metrics;
-  std::int64_t scale = -1;  ///< threads or ranks that share the row's batch; -1: it is in none
-  std::uint32_t batch = 0;  ///< rows of a phase with equal scale and batch are drawn together
+  std::int64_t workers = -1;  ///< threads or ranks that share the row's batch; -1: it is in none
+  std::uint32_t batch = 0;    ///< rows of one phase, batch and number of workers are drawn together
   /// A study is complete without it: it is only made while the times before it are not
   /// stable within `precision`.
   bool optional = false;

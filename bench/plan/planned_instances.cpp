@@ -70,7 +70,7 @@ std::string row_key(const std::string& prefix, const PlannedRun& run) {
   const CertificateMode mode = run.choice.certificate;
   if (mode == CertificateMode::none) append_line(text, "certificate", to_string(mode));
   if (run.phase != RunPhase::metrics) append_line(text, "phase", to_string(run.phase));
-  if (run.scale >= 0) append_line(text, "scale", run.scale);
+  if (run.workers >= 0) append_line(text, "scale", run.workers);
   append_line(text, "repetition", run.repetition);
   return content_hash(text);
 }

@@ -21,7 +21,7 @@ const std::vector<FamilyChoice>& choices_of(const std::string& family, const Stu
   const auto [known, is_new] = origin.choices->try_emplace(family);
   if (!is_new) return known->second;
   Study study = *origin.study;
-  if (!origin.moved_graphs.empty()) study.files.held = nullptr;
+  if (!origin.moved_graphs.empty()) study.files.stored_graphs = nullptr;
   for (GraphFileRecord& file : *study.files.begun_with) {
     if (!origin.moved_graphs.empty() && file.name == family) file.path = origin.moved_graphs;
   }
@@ -70,7 +70,7 @@ PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin) {
   run.repetition = static_cast<std::uint32_t>(row.repetition);
   run.row_key = row.row_key;
   run.phase = row.phase;
-  run.scale = row.scale;
+  run.workers = row.workers;
   instance.runs.push_back(std::move(run));
   return instance;
 }

@@ -223,26 +223,26 @@ std::vector<std::map<std::uint32_t, Batches>> batched_drawings(const PlannedInst
   const PlannedRun* previous = nullptr;
   for (std::size_t i = 0; i < instance.runs.size(); ++i) {
     const PlannedRun& run = instance.runs[i];
-    if (run.scale < 0) continue;
+    if (run.workers < 0) continue;
     const bool same =
         previous != nullptr && run.phase == previous->phase && is_same_drawing(run, *previous);
     if (!same) drawings.emplace_back();
     previous = &run;
-    drawings.back()[run.batch][run.scale].push_back(i);
+    drawings.back()[run.batch][run.workers].push_back(i);
   }
   return drawings;
 }
 
-std::vector<RunRecord> drawn(RunPhase phase, int scale, std::size_t index,
+std::vector<RunRecord> drawn(RunPhase phase, int workers, std::size_t index,
                              const std::vector<std::size_t>& rows, StudySession& session,
                              BatchDrawer& drawer) {
-  if (!is_over_ranks(phase)) return drawer.shared_by_threads(scale, index, rows);
+  if (!is_over_ranks(phase)) return drawer.shared_by_threads(workers, index, rows);
   Ranks alone;
   Ranks* const ranks = session.policy().ranks;
-  return drawer.shared_by_ranks(ranks != nullptr ? *ranks : alone, scale, index, rows);
+  return drawer.shared_by_ranks(ranks != nullptr ? *ranks : alone, workers, index, rows);
 }
 
-// The batches of one number, by growing scale.
+// The batches of one index, by growing number of workers.
 void make_round(const PlannedInstance& instance, std::size_t index, const Batches& batches,
                 const RunRecord& reference, StudySession& session, BatchDrawer& drawer) {
   const RunPhase phase = instance.runs[batches.begin()->second.front()].phase;
@@ -250,7 +250,7 @@ void make_round(const PlannedInstance& instance, std::size_t index, const Batche
     if (session.wants(run)) session.add(run, row);
   };
   double single_s = kMissing;
-  for (const auto& [scale, rows] : batches) {
+  for (const auto& [workers, rows] : batches) {
     if (session.stopped()) return;
     if (!is_drawn(reference)) {
       for (const std::size_t i : rows) {
@@ -259,16 +259,16 @@ void make_round(const PlannedInstance& instance, std::size_t index, const Batche
       continue;
     }
     std::vector<RunRecord> made =
-        drawn(phase, static_cast<int>(scale), index, rows, session, drawer);
+        drawn(phase, static_cast<int>(workers), index, rows, session, drawer);
     if (session.stopped()) return;  // it may not have been drawn to its end
-    if (scale == 1) single_s = made.front().batch_s;
-    const double ideal_s = is_strong(phase) ? single_s / static_cast<double>(scale) : single_s;
+    if (workers == 1) single_s = made.front().batch_s;
+    const double ideal_s = is_strong(phase) ? single_s / static_cast<double>(workers) : single_s;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const PlannedRun& run = instance.runs[rows[i]];
       RunRecord& row = made[i];
       row.row_key = run.row_key;
       row.repetition = run.repetition;
-      row.concurrency = scale;
+      row.concurrency = workers;
       row.ideal_batch_s = ideal_s;
       row.efficiency = ideal_s / row.batch_s;
       take_over_certificate(reference, row);

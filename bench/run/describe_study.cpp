@@ -39,8 +39,8 @@ constexpr std::size_t kBytesOfAPlace = 100;  // of memory, beside the text
 
 /// The graphs of files, as far as the study wants them in its results: of each file or collection
 /// all or none.
-HeldGraphs graphs_to_hold(const StudySpec& spec, const std::vector<StudyCorpus>& corpora) {
-  HeldGraphs held;
+StoredGraphs graphs_to_hold(const StudySpec& spec, const std::vector<StudyCorpus>& corpora) {
+  StoredGraphs held;
   double bytes = 0;
   for (const StudyCorpus& corpus : corpora) {
     const Corpus& graphs = *corpus.corpus;
@@ -168,7 +168,7 @@ Results describe_study(const Study& study, int workers) {
   results.tables = side_tables_of(study);
   require_programs(spec);
   results.environment = capture_environment(workers);
-  if (const auto listed = study.files.shelf->listed) {
+  if (const auto listed = study.files.open_files->listed) {
     results.environment.push_back({"files_listed", time_with_zone(*listed)});
   }
   const std::string notes = notes_text(corpora_of(study));

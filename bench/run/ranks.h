@@ -61,12 +61,12 @@ class Ranks {
     return {wall_s, {work.tell()}};
   }
   /// Does, on the others, the jobs of rank 0 until it calls dismiss().
-  virtual void help(const MakeReady& make_ready) { (void)make_ready; }
-  virtual void dismiss() {}
+  virtual void serve(const MakeReady& make_ready) { (void)make_ready; }
+  virtual void stop_serving() {}
 
   /// Ends all of several ranks, since the others may wait for ever for this one, which has failed
   /// on its own and said why. Where it is alone, nothing happens.
-  virtual void give_up(int exit_code) { (void)exit_code; }
+  virtual void abort_all(int exit_code) { (void)exit_code; }
 };
 
 /// Holds what one of several ranks failed at in a step that all do together; every one of them

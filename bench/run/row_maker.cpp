@@ -107,7 +107,7 @@ void set_run(const PlannedRun& planned, RunRecord& run) {
   const CertificateMode asked = planned.choice.certificate;
   if (asked == CertificateMode::none) run.certificate = to_string(asked);  // until the verdict
   run.phase = planned.phase;
-  run.scale = planned.scale;
+  run.workers = planned.workers;
   run.repetition = planned.repetition;
 }
 

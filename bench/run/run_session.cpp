@@ -55,9 +55,9 @@ void work_in_threads(RowSource& source) {
 void require_ranks(const StudyPlan& plan, int ranks) {
   for (const PlannedBlock& block : plan.instances.blocks()) {
     for (const PlannedRun& run : block.first.runs) {
-      if (!is_over_ranks(run.phase) || run.scale <= ranks) continue;
+      if (!is_over_ranks(run.phase) || run.workers <= ranks) continue;
       throw InputError(fmt::format("batches are to be shared by {} ranks of mpirun but there {} {}",
-                                   run.scale, ranks == 1 ? "is" : "are", ranks));
+                                   run.workers, ranks == 1 ? "is" : "are", ranks));
     }
   }
 }

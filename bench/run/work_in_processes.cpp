@@ -179,8 +179,8 @@ class WorkerSlot {
   void begin_next() {
     while ((job_ = source_.next(number_))) {
       begun_.reset();
-      if (job_->instance == hopeless_) {
-        fail(why_hopeless_);
+      if (job_->instance == failed_instance_) {
+        fail(failure_);
         continue;
       }
       if (worker_ && worker_->send(*job_)) return begin_time();
@@ -248,8 +248,8 @@ class WorkerSlot {
   void give_up(const WorkerEnd& end) {
     worker_.reset();
     if (!begun_) {
-      hopeless_ = job_->instance;
-      why_hopeless_ = end;
+      failed_instance_ = job_->instance;
+      failure_ = end;
     }
     fail(end);
   }
@@ -269,8 +269,8 @@ class WorkerSlot {
   std::optional<double> limit_s_;   // of the row or graph in hand
   double cpu_before_s_ = 0;
   double began_s_ = 0;
-  std::shared_ptr<const PlannedInstance> hopeless_;
-  WorkerEnd why_hopeless_;
+  std::shared_ptr<const PlannedInstance> failed_instance_;
+  WorkerEnd failure_;
 };
 
 // Waits until a worker has news, a row may be late or it is time to ask for a stop.

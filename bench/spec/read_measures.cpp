@@ -44,20 +44,20 @@ TimedRepetitions read_timed_repetitions(const toml::node& node) {
 }
 
 BatchRules read_batches(const toml::node& node, const std::string& what,
-                        const std::string& sharers) {
+                        const std::string& workers) {
   BatchRules batches;
-  const auto read_scales = [&](const toml::node& scales, const std::string& key) {
-    for (const toml::node* count : one_or_many(scales)) {
-      into(batches.scales.emplace_back(), 1, kMaxThreads)(*count, key);
+  const auto read_workers = [&](const toml::node& workers, const std::string& key) {
+    for (const toml::node* count : one_or_many(workers)) {
+      into(batches.workers.emplace_back(), 1, kMaxThreads)(*count, key);
     }
-    const bool increasing = std::adjacent_find(batches.scales.begin(), batches.scales.end(),
-                                               std::greater_equal<>()) == batches.scales.end();
-    if (batches.scales.empty() || batches.scales[0] != 1 || !increasing) {
-      refuse_toml(scales, fmt::format("{} do not begin with 1 and increase", key));
+    const bool increasing = std::adjacent_find(batches.workers.begin(), batches.workers.end(),
+                                               std::greater_equal<>()) == batches.workers.end();
+    if (batches.workers.empty() || batches.workers[0] != 1 || !increasing) {
+      refuse_toml(workers, fmt::format("{} do not begin with 1 and increase", key));
     }
   };
   read_toml_table(node, what,
-                  {{sharers, read_scales, true},
+                  {{workers, read_workers, true},
                    {"drawings", into(batches.drawings, 1, kMaxRepetitions)},
                    {"repetitions", into(batches.repetitions, 1, kMaxRepetitions)}});
   return batches;

@@ -369,7 +369,7 @@ Study recorded_study(const StudyIdentity& identity, const std::string& file) {
           {.begun_with = side_records<GraphFileRecord>(identity),
            .collected = side_records<CollectedFile>(identity),
            .skipped = side_records<SkippedFile>(identity),
-           .held = std::make_shared<const HeldGraphs>(held_graphs(identity))}};
+           .stored_graphs = std::make_shared<const StoredGraphs>(stored_graphs(identity))}};
 }
 
 std::string default_results_path(const StudySpec& spec) { return "ar3d-" + spec.name + ".h5"; }

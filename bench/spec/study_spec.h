@@ -32,7 +32,7 @@ struct TimedRepetitions {
 /// Describes batches of equal drawings shared by 1, ... threads or ranks. strong: `drawings` in
 /// all, weak: `drawings` for each of them.
 struct BatchRules {
-  std::vector<std::uint32_t> scales;  ///< how many share; from 1 on, increasing
+  std::vector<std::uint32_t> workers;  ///< how many share; from 1 on, increasing
   std::uint32_t drawings = 1;
   std::uint32_t repetitions = 1;
 };
@@ -161,12 +161,12 @@ struct StudyFiles {
   std::vector<CollectedFile> collected = {};
   std::vector<SkippedFile> skipped = {};
   /// Holds its graphs; null or without a family: they are not held.
-  std::shared_ptr<const HeldGraphs> held = {};
+  std::shared_ptr<const StoredGraphs> stored_graphs = {};
   /// Holds results, report and drawings of the study; none of them is a graph of a folder.
   std::vector<std::string> own = {};
   bool grow = false;  ///< what they hold by now and the study does not is to be added
   /// Holds files that were opened, for all copies of the study.
-  std::shared_ptr<CorpusShelf> shelf = std::make_shared<CorpusShelf>();
+  std::shared_ptr<OpenFiles> open_files = std::make_shared<OpenFiles>();
 };
 
 /// Represents a study to be planned: its specification and its files.

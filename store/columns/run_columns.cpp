@@ -42,7 +42,7 @@ void identity_columns(RecordPass& c, Run& r) {
   c.text("options", 96, r.options, "the algorithm's options, complete, in catalogue order");
   c.choice("phase", 8, r.phase, parse_run_phase,
            "what the row was made for: metrics, timing, strong, weak, strong_r, weak_r");
-  c.number("scale", "1", r.scale, "threads (strong, weak) or ranks (_r) that share the batch");
+  c.number("scale", "1", r.workers, "threads (strong, weak) or ranks (_r) that share the batch");
   c.number("repetition", "1", r.repetition, "0, 1, ...: which one within its phase and scale");
   c.text("level", 16, r.level,
          "what was stored of the drawing: extents (nothing), positions, full");

@@ -68,8 +68,8 @@ struct RunRecord {
   std::string algorithm;
   std::string options;  ///< "effort=1", complete and in catalogue order
   RunPhase phase = RunPhase::metrics;
-  std::int64_t scale = -1;       ///< threads or ranks that share the batch; missing outside of one
-  std::int64_t repetition = -1;  ///< within (phase, scale)
+  std::int64_t workers = -1;     ///< threads or ranks that share the batch; missing outside of one
+  std::int64_t repetition = -1;  ///< within (phase, workers)
   std::string
       level;  ///< "extents", "positions", "full": what was stored of the drawing; may be missing
 

@@ -182,7 +182,7 @@ std::vector<Record> records_of(const StoredTable& table) {
 }
 
 // Words between blanks, so that a text column holds them.
-std::string text_of_graphs(const HeldGraphs& graphs) {
+std::string text_of_graphs(const StoredGraphs& graphs) {
   std::string text;
   std::map<std::string_view, std::size_t> numbers;  // of texts that stand there
   for (const auto& [family, by_index] : graphs) {
@@ -288,7 +288,7 @@ std::pair<std::size_t, std::size_t> file_counts(const StudyIdentity& identity) {
   return {read.size(), given.size()};
 }
 
-StoredTable graphs_table(const HeldGraphs& graphs) {
+StoredTable graphs_table(const StoredGraphs& graphs) {
   const std::string text = text_of_graphs(graphs);
   std::vector<std::string> pieces;
   for (std::size_t at = 0; at < text.size(); at += kPieceBytes) {
@@ -297,10 +297,10 @@ StoredTable graphs_table(const HeldGraphs& graphs) {
   return side_table(pieces);
 }
 
-HeldGraphs held_graphs(const StudyIdentity& identity) {
+StoredGraphs stored_graphs(const StudyIdentity& identity) {
   std::string text;
   for (const std::string& piece : side_records<std::string>(identity)) text += piece;
-  HeldGraphs graphs;
+  StoredGraphs graphs;
   std::map<std::uint32_t, std::string>* family = nullptr;
   std::vector<std::string> lines;
   std::uint32_t index = 0;
@@ -333,7 +333,7 @@ bool unite_files(StudyIdentity& all, const StudyIdentity& other) {
   std::map<std::array<std::string, 3>, std::pair<CollectedFile, Lines>> united;
   std::map<std::array<std::string, 2>, SkippedFile> skipped;
   for (const StudyIdentity* part : {static_cast<const StudyIdentity*>(&all), &other}) {
-    const HeldGraphs held = held_graphs(*part);
+    const StoredGraphs held = stored_graphs(*part);
     for (const CollectedFile& file : side_records<CollectedFile>(*part)) {
       const auto lines = held.find(file.name);
       if (lines == held.end()) {
@@ -352,7 +352,7 @@ bool unite_files(StudyIdentity& all, const StudyIdentity& other) {
       skipped.try_emplace({file.name, file.file}, file);
     }
   }
-  HeldGraphs graphs;
+  StoredGraphs graphs;
   std::map<std::string, std::int64_t> indices;
   std::vector<CollectedFile> files;
   for (auto& [key, entry] : united) {

@@ -82,11 +82,11 @@ void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord&
 std::pair<std::size_t, std::size_t> file_counts(const StudyIdentity& identity);
 
 /// Describes the graphs that results hold: by family and index a line of sparse6 without its end.
-using HeldGraphs = std::map<std::string, std::map<std::uint32_t, std::string>>;
+using StoredGraphs = std::map<std::string, std::map<std::uint32_t, std::string>>;
 /// Returns the table /graphs of these graphs, each text once.
-StoredTable graphs_table(const HeldGraphs& graphs);
+StoredTable graphs_table(const StoredGraphs& graphs);
 /// Returns the graphs of a study's table. @throws InputError naming what is no word of it.
-HeldGraphs held_graphs(const StudyIdentity& identity);
+StoredGraphs stored_graphs(const StudyIdentity& identity);
 
 /// Adds to a study's collected files, skipped files and graphs those of another part of it; then
 /// files are in the order of their names. @return false if both have the same files. @throws

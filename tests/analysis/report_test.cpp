@@ -272,7 +272,7 @@ TEST(Report, BatchesAreShownAgainstTheIdeal) {
     for (const std::int64_t threads : {1, 2, 4}) {
       ar3d::RunRecord run = like;
       run.phase = phase;
-      run.scale = threads;
+      run.workers = threads;
       run.ideal_batch_s = 0.012;
       run.efficiency = threads == 4 ? 0.75 : 1;
       run.batch_s = run.ideal_batch_s / run.efficiency;

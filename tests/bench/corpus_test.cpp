@@ -254,7 +254,7 @@ TEST_F(Files, AStudyThatBeganKeepsItsFilesAndNoticesAChange) {
   later.files.begun_with = files;
   EXPECT_EQ(plan_study(later).instances.size(), 30u) << "b.s6 is no file of that study";
   write("a.s6", {petersen()});
-  later.files.shelf = std::make_shared<CorpusShelf>();
+  later.files.open_files = std::make_shared<OpenFiles>();
   const std::string told = problem([&] { plan_study(later); });
   EXPECT_THAT(told,
               HasSubstr("a.s6: its graphs are not those that the study began with (1 graphs"));

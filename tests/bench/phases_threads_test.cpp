@@ -139,7 +139,7 @@ TEST(TimingPhase, ADrawingThatFailedIsNotTriedAgain) {
     for (PlannedRun run : cycle_of(8, {&failing}, 3, phase).runs) {
       run.row = instance.runs.size();
       run.row_key = "key" + std::to_string(run.row);
-      if (phase == RunPhase::strong) run.scale = 1;
+      if (phase == RunPhase::strong) run.workers = 1;
       instance.runs.push_back(run);
     }
   }
@@ -192,30 +192,30 @@ TEST(ScalingPhase, BatchesHaveTheirIdealAndEfficiency) {
     EXPECT_EQ(run.status, RunStatus::ok) << run.message;
     EXPECT_EQ(run.violations, 0);
     if (run.phase == RunPhase::metrics) {
-      EXPECT_EQ(run.scale, -1);
+      EXPECT_EQ(run.workers, -1);
       EXPECT_TRUE(std::isnan(run.efficiency));
       continue;
     }
-    EXPECT_EQ(run.concurrency, run.scale);
+    EXPECT_EQ(run.concurrency, run.workers);
     EXPECT_GT(run.wall_s, 0);
     EXPECT_GE(run.batch_s, run.wall_s);
     EXPECT_DOUBLE_EQ(run.efficiency, run.ideal_batch_s / run.batch_s);
-    const std::int64_t members = run.phase == RunPhase::strong ? 4 : 2 * run.scale;
-    batch_times[{run.phase, run.scale, run.repetition / members}].insert(run.batch_s);
-    if (run.scale == 1) {
+    const std::int64_t members = run.phase == RunPhase::strong ? 4 : 2 * run.workers;
+    batch_times[{run.phase, run.workers, run.repetition / members}].insert(run.batch_s);
+    if (run.workers == 1) {
       EXPECT_DOUBLE_EQ(run.efficiency, 1);
     }
   }
   EXPECT_EQ(batch_times.size(), 2u * 2 + 3);
-  const auto only = [&](RunPhase phase, std::int64_t scale, std::int64_t batch) {
-    const std::set<double>& times = batch_times.at({phase, scale, batch});
+  const auto only = [&](RunPhase phase, std::int64_t workers, std::int64_t batch) {
+    const std::set<double>& times = batch_times.at({phase, workers, batch});
     EXPECT_EQ(times.size(), 1u) << "all rows of a batch state its time";
     return *times.begin();
   };
   for (const auto& [row, run] : made.rows) {
     if (run.phase == RunPhase::strong) {
       EXPECT_DOUBLE_EQ(run.ideal_batch_s, only(RunPhase::strong, 1, run.repetition / 4) /
-                                              static_cast<double>(run.scale));
+                                              static_cast<double>(run.workers));
     }
     if (run.phase == RunPhase::weak) {
       EXPECT_DOUBLE_EQ(run.ideal_batch_s, only(RunPhase::weak, 1, 0));
@@ -265,7 +265,7 @@ TEST(ScalingPhase, ThreadsDrawAtTheSameTime) {
     return find_algorithm("diamond").draw(graph, options);
   });
   PlannedInstance instance = cycle_of(8, {&noting}, 4, RunPhase::strong);
-  for (PlannedRun& run : instance.runs) run.scale = 2;
+  for (PlannedRun& run : instance.runs) run.workers = 2;
   make(plan_of(instance), forced());
   EXPECT_EQ(most, 2);
 }
@@ -285,7 +285,7 @@ TEST(ScalingPhase, AStopEndsABatch) {
     return find_algorithm("diamond").draw(graph, options);
   });
   PlannedInstance instance = cycle_of(8, {&stopping}, 500, RunPhase::strong);
-  for (PlannedRun& run : instance.runs) run.scale = 2;
+  for (PlannedRun& run : instance.runs) run.workers = 2;
   drawn = 0;
   stopped = false;
   const Interruptible interruptible;

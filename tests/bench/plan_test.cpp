@@ -173,7 +173,7 @@ TEST(Plan, BatchesAndTimedRowsArePlanned) {
   std::map<std::pair<RunPhase, std::int64_t>, std::vector<std::uint32_t>> batches;
   std::size_t optional = 0;
   for (const PlannedRun& run : plan.instances[0].runs) {
-    batches[{run.phase, run.scale}].push_back(run.batch);
+    batches[{run.phase, run.workers}].push_back(run.batch);
     if (run.optional) ++optional;
   }
   EXPECT_EQ(plan.rows(), 1u + 8 + 4 + 4 + 2 + 6 + 3 + 6);

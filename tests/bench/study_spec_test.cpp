@@ -76,7 +76,7 @@ weak_ranks = { ranks = [1, 2], repetitions = 5 }
   EXPECT_EQ(sweep.timed.precision, 0.02);
   std::vector<std::string> batches;
   for (const auto& [phase, rules] : sweep.batches) {
-    batches.push_back(fmt::format("{} {} {} {}", to_string(phase), fmt::join(rules.scales, ","),
+    batches.push_back(fmt::format("{} {} {} {}", to_string(phase), fmt::join(rules.workers, ","),
                                   rules.drawings, rules.repetitions));
   }
   EXPECT_THAT(batches,
