@@ -32,7 +32,7 @@ program
 grep -q '^AR3D_TESTS:BOOL=OFF' build/release/CMakeCache.txt || fail "./ar3d alone configures the tests"
 tests | cmp - ../tests_first/alone || fail "./ar3d, ./run-tests: another list of tests than ./run-tests alone"
 
-# .ci/run types what README says, in a clone of the commit, and goes on after a failure, which it tells.
+# .ci/run types what README says, in a clone of the commit; with --all it lints, too, and goes on after a failure, which it tells.
 mkdir -p "$scratch/ci/.ci"
 cd "$scratch/ci"
 cp "$source/.ci/run" .ci
@@ -42,8 +42,11 @@ cp ar3d run-tests
 git init -q . && git add . && git -c user.name=a -c user.email=a@b.c commit -q -m all
 touch not-committed
 code=0
-.ci/run >../said || code=$?
-[ $code = 1 ] || fail ".ci/run ends with $code although a command failed"
+.ci/run >../two || code=$?
+[ $code = 0 ] || fail ".ci/run ends with $code although no command failed"
+.ci/run --all >../said || code=$?
+[ $code = 1 ] || fail ".ci/run --all ends with $code although a command failed"
+[ "$(grep -o 'ar3d: .* took' ../two)" = "$(grep -o 'ar3d: .* took' ../said | head -2)" ] || fail ".ci/run types more than README says"
 sed 's/ took [0-9]* s$//' ../said | cmp - <(
   for command in "./ar3d study run quick" ./run-tests "./run-tests --lint" "./run-tests --check --part"; do
     [ "$command" = ./run-tests ] && echo "$command " || echo "$command"
