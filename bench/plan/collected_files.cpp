@@ -129,7 +129,7 @@ void require_group(CorpusFile& file) {
       printable(file.path), shown(file.group), kLongestGroup);
 }
 
-constexpr const char* kCollection = "collection ";  // before its path in a shelf
+constexpr const char* kCollection = "collection ";  // before its path in a key
 
 std::vector<std::string> matches(const std::string& path) {
   std::error_code ignored;
@@ -174,17 +174,17 @@ bool is_pattern(const std::string& file) { return file.find_first_of("*?[") != s
 
 const std::vector<std::string>& listed_files(const StudyFiles& files, const std::string& path,
                                              bool is_collection) {
-  OpenFiles& shelf = *files.open_files;
-  if (!shelf.listed) shelf.listed = std::chrono::system_clock::now();
+  OpenFiles& open_files = *files.open_files;
+  if (!open_files.listed) open_files.listed = std::chrono::system_clock::now();
   const std::string key = (is_collection ? kCollection : "") + path;
-  const auto known = shelf.listings.find(key);
-  if (known != shelf.listings.end()) return known->second;
+  const auto known = open_files.listings.find(key);
+  if (known != open_files.listings.end()) return known->second;
   std::vector<std::string> found = is_collection ? collected_now(path, files.own) : matches(path);
   std::error_code ignored;
   if (!is_collection && is_pattern(path)) {
     std::erase_if(found, [&](const std::string& file) { return fs::is_directory(file, ignored); });
   }
-  return shelf.listings[key] = std::move(found);
+  return open_files.listings[key] = std::move(found);
 }
 
 std::vector<std::string> files_come_since(const StudyFiles& files) {

@@ -116,9 +116,9 @@ TEST_F(Mpi, BatchesAreSharedByRanks) {
   for (const ar3d::RunRecord& row : read_results(path("three.h5")).runs) {
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
     if (row.phase == RunPhase::metrics) continue;
-    ++rows[{row.phase, row.scale}];
+    ++rows[{row.phase, row.workers}];
     EXPECT_EQ(row.violations, 0);
-    EXPECT_EQ(row.concurrency, row.scale);
+    EXPECT_EQ(row.concurrency, row.workers);
     EXPECT_GT(row.wall_s, 0);
     EXPECT_GE(row.batch_s, row.wall_s);
     EXPECT_DOUBLE_EQ(row.efficiency, row.ideal_batch_s / row.batch_s);
@@ -151,7 +151,7 @@ strong_ranks = { ranks = [1, 3], drawings = 9, repetitions = 5 }
           AR3D_MPI_PROGRAM + " study run -q --force-timing " + spec + " -o " + path("crowd.h5")));
   std::map<std::pair<std::int64_t, double>, double> cpu_s;  // of a batch: its scale and time
   for (const ar3d::RunRecord& row : read_results(path("crowd.h5")).runs) {
-    if (row.phase == RunPhase::strong_ranks) cpu_s[{row.scale, row.batch_s}] += row.cpu_s;
+    if (row.phase == RunPhase::strong_ranks) cpu_s[{row.workers, row.batch_s}] += row.cpu_s;
   }
   EXPECT_EQ(cpu_s.size(), 10u);
   for (const auto& [batch, sum] : cpu_s) EXPECT_LE(sum, batch.second) << batch.first << " ranks";

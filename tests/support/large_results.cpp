@@ -36,7 +36,7 @@ RunRecord large_run(const LargeResults& like, std::size_t row) {
   run.graph_hash = fmt::format("{:032x}", run.seed);
   run.drawing_hash = fmt::format("{:032x}", row * 0x9E3779B97F4A7C15);
   run.repetition = 0;
-  run.scale = 1;
+  run.workers = 1;
   run.session = 0;
   run.status = RunStatus::ok;
   run.violations = 0;
