@@ -12,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
@@ -142,6 +143,14 @@ void append_index_lines(std::string& index, const GraphAnswer& answer,
   }
 }
 
+/// Returns a drawing of `routed`, with which the search begins; nothing where it has no such one.
+std::optional<Drawing> routed_drawing(const Graph& graph, const optimum::Question& question) {
+  const bool is_body = question.diagonals == Diagonals::body;
+  if (question.max_bends < 3 || question.in_plane) return std::nullopt;
+  return draw(find_algorithm(is_body ? "routed" : "routed-120"), graph,
+              {{"bends", std::min<std::int64_t>(question.max_bends, 5)}});
+}
+
 constexpr const char* kIndexHead =
     "name,graph6,angle,bends,plane,x,y,z,class,points,variables,clauses,answer,formula_hash,"
     "proof_hash\n";
@@ -210,6 +219,7 @@ class OptimumRun {
     answer.found = find_smallest_box(
         graph, arguments_.question, *solver_,
         {.volume_below = arguments_.volume_below,
+         .first = routed_drawing(graph, arguments_.question),
          .proofs = arguments_.proofs,
          .name = fmt::format("{}", number_),
          .should_stop =

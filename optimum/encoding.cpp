@@ -2,10 +2,13 @@
 // edges leave their ends.
 #include "ar3d/optimum/encoding.h"
 
+#include "ar3d/base/error.h"
+
 namespace ar3d::optimum {
 
 Encoding::Encoding(const Graph& graph, const Question& question, const PointClass& points)
     : graph_(graph), question_(question), points_(points), steps_(steps_of(question.diagonals)) {
+  expect(points.points.size() >= graph.num_vertices(), "every vertex may have a point");
   make_variables();
   add_positions();
   add_owners();

@@ -13,7 +13,8 @@ namespace ar3d::optimum {
 /// if there is one (Lemmas O.4 and O.7), and decode() turns a model into one.
 class Encoding {
  public:
-  /// All three are kept by reference. @throws FormulaTooLarge as Formula::add.
+  /// All three are kept by reference. @pre the class has a point for every vertex.
+  /// @throws FormulaTooLarge as Formula::add.
   Encoding(const Graph& graph, const Question& question, const PointClass& points);
 
   const Formula& formula() const { return formula_; }

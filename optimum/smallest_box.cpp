@@ -47,6 +47,7 @@ class Search {
       : graph_(graph), question_(question), solver_(solver), options_(options) {}
 
   SmallestBox run() {
+    if (options_.first) begin_with(*options_.first);
     for (auto box = next_box(); box && !options_.should_stop(); box = next_box()) try_box(*box);
     found_.at_least = proved_below();
     return std::move(found_);
@@ -152,17 +153,28 @@ class Search {
     record.proof_hash = hash_of_file(file + ".drat");
   }
 
-  void take(Drawing drawing, const BoxSize& inside) {
+  /// Nothing if the drawing does not answer the question.
+  std::optional<BoxSize> box_of(const Drawing& drawing) const {
     const Certificate certificate =
         certify(graph_, drawing, guarantee_of(question_), {.check_size = false});
-    expect(certificate.valid(), "verify certifies every drawing of a model");
+    if (!certificate.valid()) return std::nullopt;
     const auto extents = certificate.box.extents();
     BoxSize box{};
     for (std::size_t i = 0; i < 3; ++i) box[i] = static_cast<int>(extents[i]) + 1;
-    expect(box[0] <= inside[0] && box[1] <= inside[1] && box[2] <= inside[2],
-           "a drawing is in the box of its points");
     std::ranges::sort(box);
-    found_.box = box;
+    return box;
+  }
+
+  void begin_with(const Drawing& drawing) {
+    const auto box = box_of(drawing);
+    if (box && volume_of(*box) < below()) found_.box = *box, found_.drawing = drawing;
+  }
+
+  void take(Drawing drawing, BoxSize inside) {
+    const auto box = box_of(drawing);
+    std::ranges::sort(inside);
+    expect(box && fits(*box, inside), "verify certifies every drawing of a model, in its box");
+    found_.box = *box;
     found_.drawing = std::move(drawing);
   }
 

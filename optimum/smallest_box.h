@@ -26,9 +26,10 @@ struct FormulaRecord {
 };
 
 struct SearchOptions {
-  std::int64_t volume_below = 4097;  ///< boxes of at least this volume are not tried
-  std::string proofs = {};           ///< folder for formulas and proofs; empty: none are kept
-  std::string name = "1";            ///< of the graph, in names of files
+  std::int64_t volume_below = 4097;   ///< boxes of at least this volume are not tried
+  std::optional<Drawing> first = {};  ///< where the search begins, if it answers the question
+  std::string proofs = {};            ///< folder for formulas and proofs; empty: none are kept
+  std::string name = "1";             ///< of the graph, in names of files
   std::function<bool()> should_stop = [] { return false; };             ///< asked now and then
   std::function<void(const FormulaRecord&)> on_formula = [](auto&) {};  ///< before it is solved
 };
@@ -48,8 +49,8 @@ struct SmallestBox {
 /// all sides are at least 1; else two of them are at least 2, along body diagonals all three.
 std::vector<BoxSize> maximal_boxes(std::int64_t volume_below, Diagonals diagonals, bool has_edges);
 
-/// Finds the smallest box (docs/optimum.md): cubes until one holds a drawing, then the maximal
-/// boxes below the best one. A formula that is not decided in some seconds of CPU time comes
+/// Finds the smallest box (docs/optimum.md): without a first drawing cubes until one holds one,
+/// then the maximal boxes below the best one. A formula that is not decided in some seconds of CPU time comes
 /// again, with four times as many. Exponential.
 /// @throws InputError as refuse_unanswerable and Solver::solve.
 SmallestBox find_smallest_box(const Graph& graph, const Question& question, Solver& solver,

@@ -129,7 +129,8 @@ class Optimum(Program):
 
     def test_gives_an_interval_when_time_is_up(self):
         self.expect("ar3d optimum k4.g6 --volume-below 100 -o none.jsonl", 5, out="C~: at least 100 lattice points; no drawing was found")
-        self.expect("ar3d optimum k4.g6 --seconds 1e-9", 5, out="no drawing was found")
+        self.expect("ar3d optimum k4.g6 --seconds 1e-9", 5, out="C~: 8 to ")
+        self.expect("ar3d optimum k4.g6 --plane --seconds 1e-9", 5, out="no drawing was found")
         self.assertIn('"error"', read("none.jsonl"))
 
     def test_prints_the_interval_when_interrupted(self):

@@ -22,6 +22,7 @@ using optimum::Question;
 inline bool decide(const Graph& graph, const Question& question, const BoxSize& box,
                    optimum::Solver& solver) {
   for (const optimum::PointClass& points : point_classes(question, box)) {
+    if (points.points.size() < graph.num_vertices()) continue;  // it holds none
     const optimum::Encoding encoding(graph, question, points);
     const auto result = solver.solve({.formula = encoding.formula()});
     if (result.answer != optimum::Answer::satisfiable) continue;
