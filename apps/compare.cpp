@@ -81,27 +81,52 @@ bool knows_commit(const std::string& commit) {
          !ask_git({"rev-parse", "--verify", "--quiet", commit.substr(0, 40) + "^{commit}"}).empty();
 }
 
-/// A command that takes turns and can be given where this one was; empty: there is none.
-std::string remedy(const Results& base, const Results& now, const std::string& now_path) {
-  const std::string study = "--study " + shell_word(now_path);
-  StudySpec spec;
+/// The command of a study's one program as --turns takes it; empty: it has none, or needs quotes.
+std::string command_in_turns(const StudySpec& spec) {
+  constexpr auto is_plain = [](char c) { return c > ' ' && c <= '~' && c != '"' && c != '\\'; };
+  if (spec.programs.size() != 1) return "";
+  for (const std::string& word : spec.programs.front()->command) {
+    const bool is_bare = std::ranges::all_of(word, is_plain) && std::ranges::count(word, '\'') == 0;
+    if (word.empty() || !is_bare) return "";
+  }
+  return fmt::format("{}", fmt::join(spec.programs.front()->command, " "));
+}
+
+/// A sentence with a command that takes turns and can be given where this one was; empty: there is
+/// none.
+std::string remedy(const Results& base, const std::string& base_path, const Results& now,
+                   const std::string& now_path) {
+  const auto command = [&](const std::string& sides) {
+    return fmt::format("`ar3d compare {} --study {}`", sides, shell_word(now_path));
+  };
+  const auto commit = [](const std::string& hash) { return hash.substr(0, 12); };
+  StudySpec spec, before;
   try {
     spec = recorded_study(now, now_path).spec;
+    before = recorded_study(base, base_path).spec;
   } catch (const InputError&) {
     return "";  // another version's: this one cannot run it
   }
   if (spec.programs.empty()) {
     if (!knows_commit(base.source_hash) || checkout_here().empty()) return "";
-    return fmt::format("ar3d compare --base {} {}", base.source_hash.substr(0, 12), study);
+    return "To know more: " + command("--base " + commit(base.source_hash)) + " takes turns";
+  }
+  const std::string a = command_in_turns(before), b = command_in_turns(spec);
+  if (!a.empty() && !b.empty() && a != b) {
+    return "To know more: " + command(fmt::format("--turns '{}' '{}'", a, b)) + " takes turns";
   }
   for (const EnvironmentEntry& entry : base.environment) {
-    if (!entry.name.starts_with("version_") || !knows_commit(entry.value)) continue;
-    return fmt::format("ar3d compare --turns {} . --build true {}", entry.value.substr(0, 12),
-                       study);
+    const bool is_commit = entry.name.starts_with("version_") && entry.value.size() == 40;
+    if (!is_commit || !knows_commit(entry.value)) continue;  // or it was changed since its commit
+    return fmt::format("To know more: {} takes turns (`true`: there is nothing to build)",
+                       command(fmt::format("--turns {} . --build true", commit(entry.value))));
   }
-  return fmt::format("ar3d compare --turns '<command of BASE>' {} {}",
-                     shell_word(fmt::format("{}", fmt::join(spec.programs.front()->command, " "))),
-                     study);
+  return spec.programs.size() == 1
+             ? "To know more, keep the program of BASE under another name, and say the commands of "
+               "both for A and B: " +
+                   command("--turns A B")
+             : "To know more, write two specifications with the commands of BASE and of NEW: "
+               "`ar3d compare --turns BASE.toml NEW.toml`";
 }
 
 int compare_settings_of(const CompareArguments& arguments) {
@@ -141,7 +166,7 @@ int compare_files(const CompareArguments& arguments) {
        now.created);
   Comparison comparison = compare(base, now, arguments.options);
   if (comparison.count(Verdict::inconclusive) > 0) {
-    comparison.remedy = remedy(base, now, arguments.files.back());
+    comparison.remedy = remedy(base, base_path, now, arguments.files.back());
   }
   return report_verdict(arguments, comparison);
 }

@@ -89,7 +89,7 @@ struct Comparison {
   bool drawings_only = false;      ///< times were not to be judged
   bool is_copy = false;            ///< the two hold the same measurements, down to every time
   std::optional<FileTimes> times;  ///< of two files
-  std::string remedy;              ///< a command that takes turns; empty: none is known
+  std::string remedy;              ///< a sentence: what takes turns; empty: nothing does
   std::size_t rows = 0;            ///< measurements that both sides hold
   std::vector<std::string> incomplete;  ///< why the comparison is not whole, one line each
   std::vector<std::string> remarks;     ///< one line each

@@ -203,7 +203,7 @@ std::string Comparison::judged() const {
   if (!time_judged || (!has_times && by_counts == 0)) return text;
   if (times && !times->settings.empty()) text += ". " + times_sentence(*times);
   if (count(Verdict::inconclusive) == 0 || remedy.empty()) return text;
-  return text + fmt::format(". To know more: `{}` takes turns", remedy);
+  return text + ". " + remedy;
 }
 
 }  // namespace ar3d

@@ -16,7 +16,8 @@ for header in sys.stdin:
         total += step
     if what == "hang" and n == 9: time.sleep(1000)
     if what == "crash" and n == 9: sys.exit("no more")
-    if what == "fork" and n == 9 and os.fork() == 0: os.setsid(); time.sleep(1000)
+    if what in ("fork", "flee") and n == 9 and os.fork() == 0: os.setsid(); time.sleep(1000)
+    if what == "flee" and n == 9: os._exit(0)
     bent = f',"edges":[[{edges[0][0]},{edges[0][1]},[[9999,0,1]]],' + ','.join(f'[{u},{v},[]]' for u, v in edges[1:]) + ']' if bend and m else ''
     print('{"vertices":[' + ','.join(f'[{i},{i * i},{i ** 3}]' for i in range(n)) + ']' + bent + '}', flush=True)
 """
@@ -100,14 +101,15 @@ class Turns(Program):
 
     def test_programs_that_hang_crash_or_fork_are_named_and_gone(self):
         good = self.one()(0)
-        for what, word in (("hang", "no answer within 1 s"), ("crash", "no more"), ("fork", "")):
+        for what, word in (("hang", "no answer within 1 s"), ("crash", "no more"), ("flee", "ended with code 0 before it answered")):
             bad = f"'/usr/bin/python3 mine.py 0 0 {what}'"
-            if word:
-                self.compare(f"--turns {good} {bad} --study own.toml", 3, "status measured became", word)
-                self.compare(f"--turns {bad} {bad} --study own.toml", 5, "came out on neither side", word)
-            else:
-                run(f"ar3d compare --turns {good} {bad} --study own.toml -o f.h5")
+            self.compare(f"--turns {good} {bad} --study own.toml", 3, "status measured became", word)
+            self.compare(f"--turns {bad} {bad} --study own.toml", 5, "came out on neither side", word)
             self.assertEqual(run(f"pgrep -f 'mine.py 0 0 {what}$'").out, "", what)
+        # One that forks and answers all the same has drawn what it should.
+        verdict = self.compare(f"--turns {good} '/usr/bin/python3 mine.py 0 0 fork' --study own.toml --drawings-only", 0, "DRAWINGS PASS")
+        self.assertEqual([cell["verdict"] for cell in verdict["cells"]], 3 * ["PASS"])
+        self.assertEqual(run("pgrep -f 'mine.py 0 0 fork$'").out, "")
 
     def test_an_interrupt_leaves_nothing(self):
         version = self.one()
@@ -131,15 +133,25 @@ class Turns(Program):
         self.refused("ar3d compare --turns HEAD . --build true --study own.toml -q", "no git repository")
         self.refused("ar3d compare own.h5 --turns 'true' 'true'", "takes no results files")
 
+    def hint(self, pattern, words=""):
+        """Follows the hint of two results whose times do not tell, with what `words` replaces in it."""
+        said = run("ar3d compare a.h5 b.h5 --threshold 0.1 --time-always")
+        hint = re.search(pattern, said.out)
+        self.assertTrue(hint, said)
+        self.expect((words or hint[1]) + " --force -o hinted.h5 --rounds 2", 6, out="2 rounds of times; 11 are needed")
+
     def test_hints_can_be_followed_where_they_are_printed(self):
         self.one()
-        git("git add -A; git commit -qm good")
         for name in ("a", "b"):
             self.expect(f"ar3d study run own.toml -q --force-timing -o {name}.h5")
-        said = run("ar3d compare a.h5 b.h5 --threshold 0.1 --time-always")
-        hint = re.search(r"To know more: `(ar3d compare --turns [0-9a-f]{12} \. --build true --study b.h5)`", said.out)
-        self.assertTrue(hint, said)
-        self.expect(hint[1] + " -o hinted.h5 --rounds 2", 6, out="2 rounds of times; 11 are needed")
+        self.hint(r"keep the program of BASE under another name, .* A and B: `ar3d compare --turns A B --study b.h5`",
+                  "cp mine.py kept.py; ar3d compare --turns '/usr/bin/python3 kept.py 0 0 draw' '/usr/bin/python3 mine.py 0 0 draw' --study b.h5")
+        git("git add -A; git commit -qm good")
+        self.expect("ar3d study run own.toml -q --force-timing --force -o a.h5")
+        self.hint(r"To know more: `(ar3d compare --turns [0-9a-f]{12} \. --build true --study b.h5)`")
+        write("own.toml", read("own.toml").replace("mine.py", "kept.py"))
+        self.expect("ar3d study run own.toml -q --force-timing --force -o b.h5")
+        self.hint(r"To know more: `(ar3d compare --turns '/usr/bin/python3 mine.py 0 0 draw' '/usr/bin/python3 kept.py 0 0 draw' --study b.h5)`")
 
     def test_words_say_what_was_tested_and_no_more(self):
         self.one()
