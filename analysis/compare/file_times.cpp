@@ -154,10 +154,6 @@ class FileJudge {
   FileTimes times_;
 };
 
-std::string signed_percent(double log_ratio) {
-  return fmt::format("{:+.1f} %", 100 * std::expm1(log_ratio));
-}
-
 }  // namespace
 
 SideTimes side_times(const GraphRounds& graphs) {
@@ -220,12 +216,6 @@ std::array<double, 3> yardsticks_of(const Results& results) {
   return medians;
 }
 
-std::string distance_text(const SettingTimes& setting) {
-  return fmt::format("{} {} [{}, {}]", setting.name, signed_percent(setting.distance),
-                     signed_percent(setting.distance - setting.error),
-                     signed_percent(setting.distance + setting.error));
-}
-
 std::string times_sentence(const FileTimes& times) {
   const auto factor = [](double log) {
     return std::isnan(log) ? std::string("-") : fmt::format("{:.2f}", std::exp(log));
@@ -244,16 +234,9 @@ std::string times_sentence(const FileTimes& times) {
   for (std::size_t i = 0; has_yardsticks && i < kYardsticks.size(); ++i) {
     text += fmt::format("{} {} {}", i == 0 ? "" : ",", kYardsticks[i], factor(times.yardsticks[i]));
   }
-  text += fmt::format("{} {} for all settings together.",
+  text += fmt::format("{} {} for all settings together",
                       has_yardsticks ? " for the yardsticks and, in units of theirs," : "",
                       factor(times.common));
-  std::string moved;
-  for (const SettingTimes& setting : times.settings) {
-    if (setting.change != TimeChange::slower && setting.change != TimeChange::faster) continue;
-    moved += (moved.empty() ? "" : ", ") + distance_text(setting);
-  }
-  text +=
-      moved.empty() ? " No setting moved against all others" : " Against all others moved " + moved;
   for (std::size_t side = 0; side < 2; ++side) {
     if (times.rounds[side].empty()) continue;
     text += fmt::format(". {} made {}", side == 0 ? "BASE" : "NEW", times.rounds[side]);

@@ -79,10 +79,7 @@ FileTimes judge_file_times(const std::vector<CellTimes>& cells,
 /// Returns medians of the logarithms of the yardsticks of all rows; NaN: there are none.
 std::array<double, 3> yardsticks_of(const Results& results);
 
-/// Returns "diamond +19.8 % [+18.9 %, +20.7 %]": the distance of a setting.
-std::string distance_text(const SettingTimes& setting);
-
-/// Returns what a person is told: how fast the machine was, what moved against all others.
+/// Returns what a person is told: how fast the machine was.
 std::string times_sentence(const FileTimes& times);
 
 }  // namespace ar3d

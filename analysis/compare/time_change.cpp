@@ -24,10 +24,6 @@ std::vector<double> thinned(const std::vector<double>& values) {
   return kept;
 }
 
-std::size_t pairs_for(double p_value) {
-  return static_cast<std::size_t>(std::max(1.0, std::ceil(1 - std::log2(p_value) - 1e-9)));
-}
-
 /// The p-value that one cell needs when no other cell is significant.
 double needed_p(const TimeRule& rule, std::size_t cells) {
   const auto m = static_cast<double>(std::max<std::size_t>(1, cells));
@@ -67,10 +63,9 @@ std::vector<double> cumulative_of(std::size_t pairs) {
 
 }  // namespace
 
-std::size_t fewest_pairs(const TimeRule& rule) { return pairs_for(rule.significance); }
-
 std::size_t fewest_pairs(const TimeRule& rule, std::size_t cells) {
-  return pairs_for(needed_p(rule, cells));
+  const double pairs = std::ceil(1 - std::log2(needed_p(rule, cells)) - 1e-9);
+  return static_cast<std::size_t>(std::max(1.0, pairs));
 }
 
 std::vector<TimeVerdict> judge_times(const std::vector<std::vector<double>>& log_ratios,

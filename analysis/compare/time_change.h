@@ -81,11 +81,9 @@ struct TimeVerdict {
   bool follows_setting = false;  ///< its own pairs leave it open
 };
 
-/// Returns the fewest pairs that can be significant: all of them point one way.
-std::size_t fewest_pairs(const TimeRule& rule);
 /// Returns the fewest pairs with which one cell among `cells` can be found (Benjamini and
-/// Hochberg's threshold).
-std::size_t fewest_pairs(const TimeRule& rule, std::size_t cells);
+/// Hochberg's threshold): all of them point one way.
+std::size_t fewest_pairs(const TimeRule& rule, std::size_t cells = 1);
 
 /// Returns one verdict a cell. @param log_ratios  log(new / base) of the pairs of every cell,
 /// finite. A cell with more than 2000 pairs is thinned evenly to at most that many.
