@@ -18,6 +18,7 @@ const browser = await chromium.launch({executablePath: "/usr/bin/chromium",
 
 async function take(name, width, colours, prepare, scale = width > 500 ? 0.5 : 0.75) {
   const context = await browser.newContext({viewport: {width, height: width > 500 ? 860 : 800}, deviceScaleFactor: scale, colorScheme: colours});
+  context.setDefaultTimeout(120000);  // other work may keep the cores busy
   const page = await context.newPage();
   await prepare(page);
   await page.screenshot({path: join(figures, `page-${name}-${width}-${colours}.png`)});

@@ -29,7 +29,7 @@ const besideOrder = (row, order) => {
 const smallPercent = share => share < 0.01 ? number(100 * share, 2) + " %" : percent(share, 0);
 
 const promiseSentence = row => {
-  const of = `angles of at least ${number(row.angle, 5)}\u00b0, at most ${count(row.most_bends)} bends an edge`;
+  const of = `${row.angle === null ? "" : `angles of at least ${number(row.angle, 5)}\u00b0, `}at most ${count(row.most_bends)} bends an edge`;
   if (row.violations > 0) return [`The promise is broken in ${count(row.violations)} of ${count(row.ok + row.violations)} rows: ${of}.`];
   if (!row.ok) return [row.measured > 0 ? `Nothing was promised; measured on ${count(row.drawn)} graphs: ${of}.` : "Nothing was drawn."];
   const word = row.unproved > 0 ? `No row breaks the promise, ${count(row.unproved)} of ${count(row.ok)} are not proved` : `The promise holds on all ${count(row.drawn)} graphs that were drawn`;
@@ -62,16 +62,21 @@ const besideSentence = (row, setting) => {
     (own.time !== null && timed.length > 1 ? `, and it is the ${rank("time", timed)}fastest` : "") + "."];
 };
 
+/** The theorem's bound of a setting over the n of these points. */
+const boundPoints = (setting, quantity, points) => quantity === "bends per edge"
+  ? [points[0], points.at(-1)].filter(() => rowsOf("settings")[setting].promised_bends !== null).map(({x}) => ({x, y: rowsOf("settings")[setting].promised_bends}))
+  : rowsOf("bound_lines").filter(row => row.setting === setting && row.quantity === quantity).map(row => ({x: row.n, y: row.bound * row.n ** find("figures", setting, quantity).order}));
+
 /** Volume, bends or time of all settings against n; bounds are dashed. */
 const answerChart = (quantity, title, y) => {
   const all = rowsOf("settings").map((row, setting) => ({name: shortName(setting), stroke: colour(setting), setting, points: growing(setting, quantity).map(at => ({x: at.n, y: at.median, low: at.least, high: at.largest}))}))
     .filter(line => line.points.length);
   if (!all.length) return null;
-  const bounds = quantity === "volume" ? all.map(({name, stroke, setting}) => ({name: name + ", theorem's bound", stroke, dash: "5 4", width: 1, css: "bound",
-    points: rowsOf("bound_lines").filter(row => row.setting === setting && row.quantity === quantity).map(row => ({x: row.n, y: row.bound * row.n ** find("figures", setting, quantity).order}))})) : [];
-  return () => ({file: "answer-" + quantity, title, note: "medians of the families" + (bounds.some(line => line.points.length) ? "; dashed: the theorems' bounds" : ""), x: {title: "vertices n"},
-    y: {...y, domain: y.type === "linear" ? [0, 1.05 * Math.max(...all.flatMap(line => line.points.map(at => at.y)))] : undefined},
-    lines: [...all.map(line => ({...line, label: line.name, css: "answer"})), ...bounds.filter(line => line.points.length)]});
+  const bounds = all.map(({name, stroke, setting, points}) => ({name: name + ", theorem's bound", stroke, dash: "5 4", width: 1, css: "bound", points: boundPoints(setting, quantity, points)}))
+    .filter(line => line.points.length);
+  return () => ({file: "answer-" + quantity, title, note: "medians of the families" + (bounds.length ? "; dashed: the theorems' bounds" : ""), x: {title: "vertices n"},
+    y: {...y, domain: y.type === "linear" ? [0, 1.05 * Math.max(...[...all, ...bounds].flatMap(line => line.points.map(at => at.y)))] : undefined},
+    lines: [...all.map(line => ({...line, label: line.name, css: "answer"})), ...bounds]});
 };
 
 export const answersPart = () => {

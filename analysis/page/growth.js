@@ -74,13 +74,14 @@ const bandChart = setting => {
 
 /** Bends per edge against n; of chosen families their own lines. */
 const bendsByNChart = (setting, chosen) => {
-  const band = rowsOf("bands").filter(row => row.setting === setting && row.quantity === "bends per edge"), label = rowsOf("settings")[setting].setting;
+  const band = rowsOf("bands").filter(row => row.setting === setting && row.quantity === "bends per edge"), {setting: label, promised_bends: promised} = rowsOf("settings")[setting];
+  const bound = promised === null ? [] : [{name: "theorem's bound", label: "theorem's bound", css: "bound", stroke: "var(--bound)", dash: "7 4", points: [band[0], band.at(-1)].map(({n}) => ({x: n, y: promised}))}];
   const lines = [...grouped(rowsOf("bends_by_n").filter(row => row.setting === setting && chosen?.has(row.curve)), row => row.curve)].map(([curve, rows], i) => ({name: rowsOf("bounds")[curve].label,
     label: rowsOf("bounds")[curve].name, stroke: colour(i + 1), css: "family on", points: rows.map(row => ({x: row.n, y: row.median, low: row.least, high: row.largest}))}));
   return {file: label + "-bends-by-n", title: label + ": bends per edge", note: "least, median and largest of the families", x: {title: "vertices n"},
-    y: {title: "bends per edge", type: "linear", domain: [0, 1.05 * Math.max(...band.map(row => row.largest))]},
+    y: {title: "bends per edge", type: "linear", domain: [0, 1.05 * Math.max(promised, ...band.map(row => row.largest))]},
     bands: [{name: "all families", points: band.map(row => ({x: row.n, low: row.least, high: row.largest, median: row.median}))}],
-    lines: [...lines, {name: "all families", css: "middle", stroke: colour(0), width: 2.6, points: band.map(row => ({x: row.n, y: row.median, low: row.least, high: row.largest}))}]};
+    lines: [...lines, {name: "all families", css: "middle", stroke: colour(0), width: 2.6, points: band.map(row => ({x: row.n, y: row.median, low: row.least, high: row.largest}))}, ...bound]};
 };
 
 const bendChart = setting => {
@@ -193,7 +194,7 @@ const settingSection = (row, setting) => {
   const curves = shownCurves(setting), state = {chosen: null}, id = "a" + setting, quantities = rowsOf("figures").filter(one => one.setting === setting);
   const figures = quantities.map(one => figure(() => growthChart(setting, one.quantity, state.chosen), {class: "growth"}));
   if (rowsOf("bands").some(one => one.setting === setting && one.quantity === "bends per edge")) figures.push(figure(() => bendsByNChart(setting, state.chosen), {class: "growth"}));
-  const hasBound = quantities.some(one => one.beyond === null && rowsOf("bound_lines").some(line => line.setting === setting && line.quantity === one.quantity));
+  const hasBound = quantities.some(one => one.beyond === null && rowsOf("bound_lines").some(line => line.setting === setting && line.quantity === one.quantity)) || row.promised_bends !== null;
   if (rowsOf("volume_bands").some(one => one.setting === setting)) figures.push(figure(() => bandChart(setting)));
   const growth = figures.length ? [element("div", {class: "figures"}, figures), element("p", {class: "muted"},
     "Band and thick line: least, median and largest of the families' medians. Lines: families, named at their end." + (hasBound ? " Dashed: the theorem's bound." : "")), exponentTable(setting)] : [];

@@ -1,5 +1,5 @@
 // The report: its first screen at once, then its sections, then its figures.
-import {byId, change, count, element, fill, firstOf, grouped, number, percent, rowsOf, settingName, shortName} from "./values.js";
+import {all, byId, change, count, element, fill, firstOf, grouped, number, percent, rowsOf, settingName, shortName} from "./values.js";
 import {fillNavigation, folded, makeTable, withSmall} from "./tables.js";
 import {drawFigures} from "./charts.js";
 import {graphButton, graphText, listen} from "./graphs.js";
@@ -150,6 +150,9 @@ const backgroundPart = () => {
     element("tr", {}, element("th", {scope: "row"}, row.name), element("td", {class: "note"}, row.value)))))) : element("p", {}, "The file names none."));
   fill("spec-hash", study.spec_hash);
   byId("spec").querySelector("pre").textContent = study.spec;
+  for (const {dataset: {name}, textContent: text} of all("script.study")) {
+    byId("studies").append(element("a", {href: "data:text/plain;charset=utf-8," + encodeURIComponent(text), download: name + ".toml"}, name + ".toml"), " ");
+  }
 };
 
 verdictPart();

@@ -71,6 +71,7 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
       if (const auto* record = find_algorithm_record(records, key.algorithm, key.options)) {
         if (record->theorem.promises_box()) section.theorem = record->theorem;
         section.published = record->published;
+        section.max_bends = record->max_bends;
       }
     }
     sections[at->second].has_own_unit |= tally.has_own_unit;

@@ -38,6 +38,7 @@ struct Section {
   std::string algorithm;
   std::optional<SizeBound> theorem;
   std::optional<SizeBound> published;
+  std::int64_t max_bends = -1;       ///< of an edge, as promised; -1: unknown
   bool has_own_unit = false;         ///< as of CurveTally
   std::vector<SectionCurve> curves;  ///< all of them: what is counted is counted over these
   std::vector<SectionCurve> shown;   ///< at most kMostFamilies: those closest to the bound

@@ -100,7 +100,8 @@ void add_settings(TableMaker& make) {
                                   ok,
                                   measured,
                                   least_angle(section),
-                                  most_bends(section)};
+                                  most_bends(section),
+                                  count_or_none(section.max_bends)};
     row.resize(table.columns.size());
     const SectionCurve& closest = *std::ranges::min_element(
         section.curves, {}, [](const SectionCurve& curve) { return curve.least_slack(); });

@@ -230,8 +230,13 @@ def draw_bends(axes, tables, settings, families):
         for curve in sorted({row["curve"] for row in rows}):
             label = tables["bounds"][curve]["label"] if len(settings) == 1 else f"{names[setting]}, {tables['bounds'][curve]['label']}"
             axes.plot(*zip(*sorted((row["n"], row["median"]) for row in rows if row["curve"] == curve)), label=short(label), **next(look))
+    promised = {}
+    for setting in settings:
+        promised.setdefault(tables["settings"][setting].get("promised_bends"), []).append(names[setting])
     if not axes.lines:
         raise Refused("--quantity bends: the study has no drawings with edges of these algorithms and families")
+    for dashes, bends in zip(("--", "-.", ":"), sorted(bends for bends in promised if bends is not None)):
+        axes.axhline(bends, color="0.4", linestyle=dashes, linewidth=0.8, label=short("theorem's bound" + (f" of {', '.join(promised[bends])}" if len(promised) > 1 else "")))
     axes.set(xscale="log", ylim=(0, None), xlabel="vertices $n$", ylabel="bends per edge")
 
 
@@ -255,11 +260,30 @@ def draw_share(axes, tables, settings, families):
     axes.set(xscale="log", yscale="log", xlabel="vertices $n$", ylabel="share of the bound in %")
 
 
+def trade_points(tables, settings, families):
+    """Returns medians of volume and time over families by setting and n: those that all settings drew, or of the families asked for those at that n."""
+    if not families:
+        return [row for row in tables["trade"] if row["time"] is not None and row["setting"] in settings and row["group"] == 0]
+    drawn, points = {}, []
+    for row in tables["curves"]:
+        curve = tables["bounds"][row["curve"]]
+        if row["quantity"] in ("volume", "drawing time") and curve["setting"] in settings and is_asked_for(curve, families):
+            values = drawn.setdefault(row["n"], {}).setdefault(curve["setting"], {}).setdefault(curve["label"], {})
+            values["time" if row["quantity"] == "drawing time" else "volume"] = row["median"] * row["divisor"]
+    for n, of_n in drawn.items():
+        timed = {setting: {label: values for label, values in of.items() if len(values) == 2} for setting, of in of_n.items()}
+        timed = {setting: of for setting, of in timed.items() if of}
+        common = set.intersection(*map(set, timed.values())) if len(timed) > 1 else ()
+        points += [{"setting": setting, "n": n} | {key: statistics.median(of[label][key] for label in common) for key in ("volume", "time")}
+                   for setting, of in timed.items() if common]
+    return points
+
+
 def draw_trade(axes, tables, settings, families):
     """Draws volume against drawing time at the largest n at which most settings have a time, with the Pareto front."""
-    if families:
-        raise Refused("--families: --quantity trade compares settings over the families that all of them drew")
-    points = [row for row in tables["trade"] if row["time"] is not None and row["setting"] in settings and row["group"] == 0]
+    points, units = trade_points(tables, settings, families), {row["unit"] for row in tables["figures"] if row["setting"] in settings and row["quantity"] == "volume"}
+    if families and len(units) > 1:
+        raise Refused(f"--families: --quantity trade compares volumes, which these settings have in {' and '.join(sorted(units))}")
     if not points:
         raise Refused("--quantity trade: no two of these settings have times of a timing phase on common families")
     sizes = {}
@@ -267,12 +291,13 @@ def draw_trade(axes, tables, settings, families):
         sizes[row["n"]] = sizes.get(row["n"], 0) + 1
     n, names, look = max(sizes, key=lambda size: (sizes[size], size)), setting_names(tables, settings), styles()
     shown = [row for row in points if row["n"] == n]
-    front = sorted((row["time"], row["volume"]) for row in shown if row["front"])
+    front = sorted({(a["time"], a["volume"]) for a in shown
+                    if not any(b["time"] <= a["time"] and b["volume"] <= a["volume"] and (b["time"], b["volume"]) != (a["time"], a["volume"]) for b in shown)})
     if len(front) > 1:
         axes.step(*zip(*front), where="post", color="0.4", linestyle=":", label="Pareto front")
     for row in shown:
         axes.plot(row["time"], row["volume"], label=short(names[row["setting"]]), **{**next(look), "linestyle": "none", "markersize": 4})
-    axes.set(xscale="log", yscale="log", xlabel=f"drawing time in s, $n$ = {n:,}", ylabel=f"volume in {tables['groups'][0]['unit']}")
+    axes.set(xscale="log", yscale="log", xlabel=f"drawing time in s, $n$ = {n:,}", ylabel=f"volume in {units.pop() if families else tables['groups'][0]['unit']}")
 
 
 def draw_lines(axes, rows, label, x, y):

@@ -89,6 +89,7 @@ bool columns_of(RecordPass& c, AlgorithmRecord& record) {
   std::optional<SizeBound> theorem = record.theorem;
   bound_columns(c, "theorem", theorem);
   bound_columns(c, "published", record.published);
+  c.number("max_bends", "1", record.max_bends, "most bends of an edge that the theorem allows");
   if (theorem) record.theorem = *theorem;
   return theorem.has_value();
 }

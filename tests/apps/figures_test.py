@@ -147,6 +147,11 @@ class FiguresAsSeen(Program):
         self.assertIn(f"{law['exponent']:.2f}", drawn.get_label())
         axes = self.look_at(tables, "bends", algorithms=["diamond"], families=["ladder"]).axes[0]
         self.assertEqual(set(axes.lines[0].get_ydata()), {3})
+        self.assertEqual([(line.get_linestyle(), set(line.get_ydata())) for line in axes.lines if line.get_label() == "theorem's bound"], [("--", {3})])
+        axes = self.look_at(tables, "trade", algorithms=["diamond", "grid"], families=["ladder"]).axes[0]
+        seen = next((line.get_xdata()[0], line.get_ydata()[0]) for line in axes.lines if line.get_label() == "diamond")
+        last = {row["quantity"]: row["median"] * row["divisor"] for row in tables["curves"] if row["curve"] == curve and row["n"] == 1200}
+        self.assertEqual(seen, (last["drawing time"], last["volume"]))
         axes = self.look_at(tables, "precision").axes[0]
         self.assertIn("grid: 0, exact integers", [text.get_text() for text in axes.get_legend().get_texts()])
         looks = [tuple(map(str, look.values())) for look in itertools.islice(figures.styles(), 30)]

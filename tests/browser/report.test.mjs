@@ -169,7 +169,7 @@ test("a reader finds angle, bends, share, exponent and time of diamond on the fi
     assert.ok(y + height < 900);
     assert.equal(await one.locator("g.answer path").count(), 5, "all settings");
   }
-  assert.equal(await figures[0].locator("g.bound path").count(), 5, "the bounds are dashed");
+  for (const one of figures.slice(0, 2)) assert.equal(await one.locator("g.bound path").count(), 5, "the bounds of volume and bends are dashed");
   const canvas = page.locator("#turning canvas"), {y} = await canvas.boundingBox();
   assert.ok(y < 700);
   await page.waitForFunction(() => document.querySelector("#turning canvas").dataset.angle);
@@ -184,6 +184,12 @@ test("a reader finds angle, bends, share, exponent and time of diamond on the fi
   await page.frameLocator("#shown iframe").locator("#verdict").waitFor();
   assert.equal(options[3].split(" ")[0], (await page.locator("#shown p").textContent()).split(" \u00b7 ")[1].split(" ")[0], "its algorithm");
   await page.locator("#shown").getByRole("button", {name: "Close"}).click();
+});
+
+test("the specifications of the program are linked, each as it is installed", async () => {
+  const links = await page.locator("#studies a").evaluateAll(all => all.map(link => [link.download, decodeURIComponent(link.href.split(",").slice(1).join(","))]));
+  assert.ok(links.length > 10);
+  for (const [name, text] of links) assert.equal(text, execFileSync(program, ["list", "studies", name.replace(".toml", "")], {encoding: "utf8"}));
 });
 
 test("the figure of the sides shows the share that the first screen tells", async () => {
