@@ -18,7 +18,7 @@ constexpr std::uint64_t kSeed = 0x726f75746564;  // any fixed number
 constexpr std::uint64_t kStepsPerVertex = 4000;  // of the annealing
 constexpr int kPatience = 25;                    // rounds without gain, all edges routed anew
 constexpr int kPatienceOfCuts = 15;
-constexpr std::uint64_t kSearchesOfScaled = 10;  // for each edge, in a box that is scaled
+constexpr std::uint64_t kSearchesOfScaled = 6;  // for each edge, in a box that is scaled
 constexpr int kFirstBoxes = 10;
 constexpr int kMostLayers = 5;  // that a box grows by before it is given up
 
@@ -30,7 +30,7 @@ class BoxSearch {
 
   std::optional<Routing> run() {
     const std::uint64_t edges = graph_.num_edges();
-    const std::uint64_t usual = std::min(300 * edges + 5000, 50 * edges + 40000);  // of effort 1
+    const std::uint64_t usual = std::min(150 * edges + 2500, 25 * edges + 20000);  // of effort 1
     most_searches_ = 2 * usual;
     if (find_first() && options_.effort > 0) {
       most_searches_ = counts_.searches + (options_.effort == 2 ? 10 * usual : usual);

@@ -1,6 +1,7 @@
 // Step R.3, what it costs at least to reach each point: dynamic programming over bends and last
 // directions. The field of one direction is swept row after row, along that direction. Rows are
-// vectors of 16-bit costs, so eight points take the time that one takes in a search by a queue.
+// vectors of 16-bit costs, so eight points take the time that one takes in a search by a queue; a
+// row holds only what routes of the length asked for can reach.
 // Cost: O(bends x directions x points of the window).
 #include "ar3d/algorithms/routed/fields.h"
 
@@ -14,55 +15,65 @@ namespace {
 using Cost = CostFields::Cost;
 static_assert(2 * CostFields::kInfinite <= std::numeric_limits<Cost>::max(), "sums of two fit");
 
-/// Eight points of a row: the cheapest of five ways there, and their own costs.
-inline void relax(Cost* __restrict out, const Cost* cost, const Cost* on, const Cost* a,
-                  const Cost* b, const Cost* c, const Cost* d) {
+/// Eight points of a row: the cheapest of the ways there, and their own costs.
+template <std::size_t kTurns>
+inline void relax(Cost* __restrict out, const Cost* cost, const Cost* on,
+                  const std::array<const Cost*, kTurns>& turns, std::ptrdiff_t at) {
   for (int k = 0; k < CostFields::kVector; ++k) {
-    const Cost least = std::min(std::min(std::min(on[k], a[k]), std::min(b[k], c[k])), d[k]);
+    Cost least = on[k];
+    for (std::size_t t = 0; t < kTurns; ++t) least = std::min(least, turns[t][at + k]);
     out[k] = std::min(static_cast<Cost>(least + cost[k]), CostFields::kInfinite);
   }
+}
+
+/// Eight costs, or others if they are less.
+inline void lower(Cost* __restrict out, const Cost* costs) {
+  for (int k = 0; k < CostFields::kVector; ++k) out[k] = std::min(out[k], costs[k]);
 }
 
 int distance(int a, int b, int radius) { return std::max(0, std::abs(a - b) - radius); }
 
 }  // namespace
 
-bool CostFields::is_open(Spot p) const {
-  if (p.x < 0 || p.x >= width_ || p.z < 0 || p.z >= 2 * (stride_ - 1)) return false;
-  const auto [low, high] = clip_[static_cast<std::size_t>(p.x)];
-  return p.y >= low && p.y <= high;
-}
-
-/// For each x the range of y that routes of at most so many steps may reach.
-void CostFields::clip_rows(Spot to, int radius, int steps) {
-  for (int x = 0; x < width_; ++x) {
-    const int a = std::abs(x - from_.x);
-    const int b = distance(x, to.x, radius);
-    const auto is_reached = [&](int y) {
-      return std::max(a, std::abs(y - from_.y)) + std::max(b, distance(y, to.y, radius)) <= steps;
-    };
-    auto& [low, high] = clip_[static_cast<std::size_t>(x)];
-    while (low <= high && !is_reached(low)) ++low;
-    while (low <= high && !is_reached(high)) --high;
-  }
-}
-
-void CostFields::copy_costs(const CostBox& box) {
-  const Limits& limits = box.limits();
-  for (int x = 0; x < width_; ++x) {
-    const auto [low, high] = clip_[static_cast<std::size_t>(x)];
-    for (int y = low; y <= high; ++y) {
+/// In each row the points that routes of at most so many steps may reach: the larger differences of
+/// coordinates to both ends are at most that in sum. Rows differ by at most 2 from those a step away.
+/// @return the size of a field.
+int CostFields::choose_rows(const CostBox& box, Spot to, int radius, int steps, Spot high) {
+  const Spot low = box.limits().low - low_;
+  parts_.assign(row(high.x + 2, 0), {});
+  used_.clear();
+  int size = high.z / 2 + kVector + 2 * kPad;  // of an empty row
+  for (int x = std::max(0, low.x); x <= high.x; ++x) {
+    for (int y = std::max(0, low.y); y <= high.y; ++y) {
       if (points_.is_body() && ((x ^ y) & 1) != 0) continue;
-      Cost* to = &costs_[static_cast<std::size_t>(row(x, y) * stride_) + 1];
-      std::fill(to, to + stride_ - 1, kInfinite);
-      const int first = low_.z + parity(x, y);  // z of k = 0
-      const int begin = first >= limits.low.z ? 0 : (limits.low.z - first + 1) / 2;
-      const int end = std::min(stride_ - 1, (limits.high.z - first + 2) / 2);
-      if (begin >= end) continue;
-      const int i = box.index({low_.x + x, low_.y + y, first + 2 * begin}) - begin;
-      for (int k = begin; k < end; ++k) {
-        to[k] = static_cast<Cost>(std::min<int>(kInfinite, box.cost(i + k) + CostBox::kStep));
-      }
+      const int a = std::max(std::abs(x - from_.x), std::abs(y - from_.y));
+      const int b = std::max(distance(x, to.x, radius), distance(y, to.y, radius));
+      if (a + b > steps) continue;
+      const int z0 = std::max({from_.z - (steps - b), to.z - radius - (steps - a), low.z, 0});
+      const int z1 = std::min({from_.z + (steps - b), to.z + radius + (steps - a), high.z});
+      const int side = parity(x, y);
+      const int first = (z0 - side + 1) >> 1;
+      const int count = ((z1 - side + 2) >> 1) - first;
+      if (count <= 0) continue;
+      const int vectors = (count + kVector - 1) / kVector;
+      parts_[row(x, y)] = {size + kPad - first, first, vectors};
+      used_.push_back({row(x, y), static_cast<std::size_t>(side), count,
+                       box.index(low_ + Spot{x, y, 2 * first + side})});
+      size += vectors * kVector + 2 * kPad;
+    }
+  }
+  return size + 2 * kVector;
+}
+
+/// What it costs to pass the points of the rows.
+void CostFields::copy_costs(const CostBox& box, int size) {
+  costs_.assign(static_cast<std::size_t>(size), kInfinite);
+  for (const UsedRow& used : used_) {
+    const Row& part = parts_[used.row];
+    Cost* to = costs_.data() + part.base + part.first;
+    for (int k = 0; k < used.count; ++k) {
+      to[k] =
+          static_cast<Cost>(std::min<int>(kInfinite, box.cost(used.in_box + k) + CostBox::kStep));
     }
   }
 }
@@ -91,31 +102,29 @@ bool CostFields::open(const CostBox& box, const End& from, Spot to, int radius, 
   const Limits& limits = box.limits();
   const auto range = [&](int a, int b, int least, int most) {
     const int slack = std::max(0, steps - distance(a, b, radius)) / 2;
-    return Range{std::max(least, std::min(a, b - radius) - slack),
-                 std::min(most, std::max(a, b + radius) + slack)};
+    return std::array{std::max(least, std::min(a, b - radius) - slack),
+                      std::min(most, std::max(a, b + radius) + slack)};
   };
   const auto [x0, x1] = range(from.at.x, to.x, limits.low.x, limits.high.x);
   const auto [y0, y1] = range(from.at.y, to.y, limits.low.y, limits.high.y);
   const auto [z0, z1] = range(from.at.z, to.z, limits.low.z, limits.high.z);
   low_ = {x0 & ~1, y0 & ~1, z0 & ~1};
   from_ = from.at - low_;
-  width_ = x1 - low_.x + 1;
-  const int height = y1 - low_.y + 1;
-  rows_ = points_.is_body() ? (height + 1) / 2 : height;
-  stride_ = ((z1 - low_.z) / 2 + kVector) / kVector * kVector + 1;
-  clip_.assign(static_cast<std::size_t>(width_), {y0 - low_.y, y1 - low_.y});
-  if (low_.x < x0) clip_[0] = {1, 0};
-  clip_rows(to - low_, radius, steps);
-  costs_.resize(static_cast<std::size_t>(row(width_, 0) * stride_) + kVector);
-  copy_costs(box);
-  costs_[index(from_)] = kInfinite;
+  const Spot high = Spot{x1, y1, z1} - low_;
+  rows_ = (points_.is_body() ? high.y / 2 : high.y) + 3;
   const Spot end = to - low_;
-  if (is_open(end)) costs_[index(end)] = radius == 0 ? kInfinite : CostBox::kStep;
+  copy_costs(box, choose_rows(box, end, radius, steps, high));
+  costs_[index(from_)] = kInfinite;
+  const Spot apart = end - from_;
+  const int least = std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)});
+  if (radius == 0) costs_[index(end)] = kInfinite;
+  if (radius > 0 && least <= steps) costs_[index(end)] = CostBox::kStep;
   allot(layers, from.arms);
   fill_rays();
   for (int layer = 1; layer < layers; ++layer) {
     for (int d = 0; d < points_.num_directions(); ++d) {
-      if (field(layer, d)) sweep(layer, d);
+      if (!field(layer, d)) continue;
+      points_.is_body() ? sweep<3>(layer, d) : sweep<4>(layer, d);
     }
   }
   return x0 > limits.low.x || x1 < limits.high.x || y0 > limits.low.y || y1 < limits.high.y ||
@@ -129,7 +138,7 @@ void CostFields::fill_rays() {
     if (!field) continue;
     std::fill(field, field + costs_.size(), kInfinite);
     int total = 0;
-    for (Spot p = from_ + points_.step(d); is_open(p); p = p + points_.step(d)) {
+    for (Spot p = from_ + points_.step(d);; p = p + points_.step(d)) {
       total += costs_[index(p)];
       if (total >= kInfinite) break;
       field[index(p)] = static_cast<Cost>(total);
@@ -138,38 +147,69 @@ void CostFields::fill_rays() {
 }
 
 /// One field: each point is reached from the point before it, straight on or after a turn.
+template <std::size_t kTurns>
 void CostFields::sweep(int layer, int d) {
   const Spot step = points_.step(d);
   Cost* field = fields_[static_cast<std::size_t>(layer)][static_cast<std::size_t>(d)];
-  std::array<const Cost*, 4> sources{};
-  std::size_t num_sources = 0;
+  std::array<const Cost*, kTurns> turns{};
+  std::size_t found = 0;
   for (int e = 0; e < points_.num_directions(); ++e) {
     const Cost* source = this->field(layer - 1, e);
-    if (source && has(points_.turns(e), d)) sources[num_sources++] = source;
+    if (source && has(points_.turns(e), d)) turns[found++] = source;
   }
-  for (std::size_t i = num_sources; i < sources.size(); ++i) sources[i] = sources[0];
-  const int count = stride_ - 1;
-  for (int i = 0; i < width_; ++i) {
-    const int x = step.x >= 0 ? i : width_ - 1 - i;
-    const auto [low, high] = clip_[static_cast<std::size_t>(x)];
-    for (int j = low; j <= high; ++j) {
-      const int y = step.x != 0 || step.y > 0 ? j : high + low - j;
-      if (points_.is_body() && ((x ^ y) & 1) != 0) continue;
-      Cost* out = field + row(x, y) * stride_ + 1;
-      out[-1] = out[count] = kInfinite;
-      const Spot before = {x - step.x, y - step.y, 0};
-      if (!is_open(before)) {
-        std::fill(out, out + count, kInfinite);
-        continue;
-      }
-      const int shift = (parity(x, y) - step.z - parity(before.x, before.y)) / 2;
-      const std::ptrdiff_t at = row(before.x, before.y) * stride_ + 1 + shift;
-      const Cost* cost = costs_.data() + row(x, y) * stride_ + 1;
+  for (std::size_t i = found; i < kTurns; ++i) turns[i] = turns[0];
+  std::array<std::size_t, 2> rows_before{};  // modulo 2^64
+  std::array<int, 2> shift{};
+  for (int side = 0; side < 2; ++side) {
+    const Spot p = {points_.is_body() ? 2 + side : 2, 2 + side, 0};
+    rows_before[static_cast<std::size_t>(side)] = row(p.x - step.x, p.y - step.y) - row(p.x, p.y);
+    shift[static_cast<std::size_t>(side)] = (side - step.z) >> 1;
+  }
+  const auto fill_row = [&](const UsedRow& used) {
+    const Row part = parts_[used.row];
+    const Row before = parts_[used.row + rows_before[used.parity]];
+    Cost* out = field + part.base + part.first;
+    const int count = part.vectors * kVector;
+    out[-2] = out[-1] = out[count] = out[count + 1] = kInfinite;
+    if (before.vectors == 0) {
+      std::fill(out, out + count, kInfinite);
+      return;
+    }
+    const Cost* cost = costs_.data() + part.base + part.first;
+    const std::ptrdiff_t at = before.base + part.first + shift[used.parity];
+    for (int k = 0; k < count; k += kVector) {
+      relax<kTurns>(out + k, cost + k, field + at + k, turns, at + k);
+    }
+  };
+  if (step.x > 0 || (step.x == 0 && step.y > 0)) {
+    std::for_each(used_.begin(), used_.end(), fill_row);
+  } else {
+    std::for_each(used_.rbegin(), used_.rend(), fill_row);
+  }
+}
+
+void CostFields::write_arrivals(int d, std::span<const Spot> rows, std::span<Cost> costs) const {
+  std::array<const Cost*, kMostBends + 1> sources{};
+  std::size_t found = 0;
+  for (int layer = 0; layer < num_layers_; ++layer) {
+    if (field(layer, d)) sources[found++] = field(layer, d);
+  }
+  const int count = static_cast<int>(costs.size() / rows.size());
+  std::fill(costs.begin(), costs.end(), kInfinite);
+  Cost* out = costs.data();
+  for (std::size_t r = 0; r < rows.size(); ++r, out += count) {
+    const Spot p = rows[r] - low_;
+    const Row part = parts_[row(p.x, p.y)];
+    const int first = p.z >> 1;
+    for (std::size_t t = 0; t < found; ++t) {
       for (int k = 0; k < count; k += kVector) {
-        relax(out + k, cost + k, field + at + k, sources[0] + at + k, sources[1] + at + k,
-              sources[2] + at + k, sources[3] + at + k);
+        lower(out + k, sources[t] + part.base + first + k);
       }
     }
+    const int begin = std::clamp(part.first - first, 0, count);
+    const int end = std::clamp(part.first + part.vectors * kVector - first, begin, count);
+    std::fill(out, out + begin, kInfinite);
+    std::fill(out + end, out + count, kInfinite);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "ar3d/algorithms/routed/box.h"
@@ -18,7 +19,7 @@ class CostFields {
  public:
   using Cost = std::int16_t;
   static constexpr Cost kInfinite = CostBox::kBlocked;
-  static constexpr int kVector = 8;  ///< rows are read in so many costs, also beyond their end
+  static constexpr int kVector = 8;  ///< costs that are computed at once
 
   explicit CostFields(const PointClass& points) : points_(points) {}
 
@@ -29,42 +30,56 @@ class CostFields {
   bool open(const CostBox& box, const End& from, Spot to, int radius, int steps, int layers);
 
   int num_layers() const { return num_layers_; }
-  /// The field for a number of bends and a last direction; null if no route ends so.
+  /// The field for a number of bends and a last direction, of points of the window that can be
+  /// passed; null if no route ends so.
   const Cost* field(int layer, int d) const {
     return fields_[static_cast<std::size_t>(layer)][static_cast<std::size_t>(d)];
   }
   Spot low() const { return low_; }    ///< the low corner, in the box
   Spot from() const { return from_; }  ///< the end, in the window
-  /// Whether a point of the class lies in the window, and then its index in every field.
-  bool is_open(Spot p) const;
+  /// Index of a point of the class in every field, if the point is at most a step outside.
   std::size_t index(Spot p) const {
-    return static_cast<std::size_t>(row(p.x, p.y) * stride_ + (p.z >> 1) + 1);
+    return static_cast<std::size_t>(parts_[row(p.x, p.y)].base + (p.z >> 1));
   }
-  /// Cost of passing a point, its step included.
+  /// Cost of passing a point, its step included; kInfinite outside.
   Cost cost(std::size_t i) const { return costs_[i]; }
+  /// Writes what it costs at least to arrive in direction d at the points of rows that begin in the
+  /// box at p, p + (0, 0, 2) ...
+  /// @param costs  row after row, of a multiple of kVector of points each.
+  void write_arrivals(int d, std::span<const Spot> rows, std::span<Cost> costs) const;
 
  private:
-  struct Range {
-    int low;
-    int high;
+  static constexpr int kPad = 2;  // infinite costs on both sides of what a row holds
+  /// The part of a row that fields hold, in halves of z from its first point on.
+  struct Row {
+    int base = kPad;  // index of z = 0 or 1
+    int first = 0;
+    int vectors = 0;
   };
-  std::ptrdiff_t row(int x, int y) const {
-    return std::ptrdiff_t{x} * rows_ + (points_.is_body() ? y >> 1 : y);
+  /// A row that is not empty.
+  struct UsedRow {
+    std::size_t row;
+    std::size_t parity;
+    int count;   // of points
+    int in_box;  // index of the first one
+  };
+  std::size_t row(int x, int y) const {
+    return static_cast<std::size_t>((x + 1) * rows_ + (points_.is_body() ? y >> 1 : y) + 1);
   }
   int parity(int x, int y) const { return points_.is_body() ? x & 1 : (x + y) & 1; }
-  void clip_rows(Spot to, int radius, int steps);
-  void copy_costs(const CostBox& box);
+  int choose_rows(const CostBox& box, Spot to, int radius, int steps, Spot high);
+  void copy_costs(const CostBox& box, int size);
   void allot(int layers, Directions first);
   void fill_rays();
+  template <std::size_t kTurns>
   void sweep(int layer, int d);
 
   const PointClass& points_;
   Spot low_;
   Spot from_;
-  int width_ = 0;
-  int rows_ = 0;
-  int stride_ = 0;
-  std::vector<Range> clip_;  // of y, by x
+  int rows_ = 0;               // of one x, with a border
+  std::vector<Row> parts_;     // by row, with a border
+  std::vector<UsedRow> used_;  // in order
   std::vector<Cost> costs_;
   std::vector<Cost> storage_;
   std::array<std::array<Cost*, kMostDirections>, kMostBends + 1> fields_{};

@@ -103,31 +103,26 @@ int Negotiation::price_edges(Vertex v) {
   return static_cast<int>(std::min<std::int64_t>(total, CostBox::kNoRoute));
 }
 
-/// Routes the edges of the trial's vertex from the best place near it, in different arms.
+/// Routes the edges of the trial's vertex to the best place near it, in different arms.
 void Negotiation::search_trial(Trial& trial, RouteSearch& search) {
   RandomStream random(mix_seed(seed_, groups_), 1000 + trial.vertex);
   const auto edges = graph_.incident(trial.vertex);
   std::vector<End> neighbours;
   for (const HalfEdge& half : edges) neighbours.push_back(end(half.to));
-  Place place;
-  int left = trial.limit;
-  trial.searches += 2 * edges.size();
+  trial.searches += edges.size();
   const Spot now = now_.layout.at[trial.vertex];
-  if (search.find_place(box_, now, neighbours, frames_, points_.is_body() ? 6 : 4, left, random,
-                        place) >= left)
+  Place place;
+  if (search.find_place(box_, now, neighbours, frames_, points_.is_body() ? 6 : 4, trial.limit,
+                        random, place) >= trial.limit)
     return;
   trial.at = place.at;
   trial.frame = place.frame;
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const End moved{place.at, static_cast<Directions>(1u << place.arms[k])};
     const bool starts = graph_.edge(edges[k].edge).u == trial.vertex;
-    left -= search.find(box_, starts ? moved : neighbours[k], starts ? neighbours[k] : moved, left,
-                        true, random, trial.routes[k]);
-    if (!trial.routes[k]) {
-      trial.routes = {};
-      return;
-    }
+    trial.routes[k] = starts ? place.routes[k].reversed() : place.routes[k];
   }
+  trial.is_found = std::all_of(place.routes.begin(), place.routes.begin() + edges.size(),
+                               [](const Route& route) { return bool{route}; });
 }
 
 /// Moves the vertex if the routes found are not dearer than the present ones by now.
@@ -189,7 +184,7 @@ void Negotiation::move_group(std::span<Trial> trials) {
     const auto around = graph_.incident(trial.vertex);
     const bool is_stale = std::any_of(around.begin(), around.end(),
                                       [&](const HalfEdge& half) { return has_moved(half.to); });
-    if (!is_stale && trial.routes[0] && settle(trial)) moved.push_back(trial.vertex);
+    if (!is_stale && trial.is_found && settle(trial)) moved.push_back(trial.vertex);
   }
 }
 

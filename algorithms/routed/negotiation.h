@@ -52,7 +52,8 @@ class Negotiation {
     Spot at;
     std::size_t frame = 0;
     int limit = 0;
-    std::array<Route, 4> routes;  // of its edges; none if it failed
+    bool is_found = false;
+    std::array<Route, 4> routes;  // of its edges
     std::uint64_t searches = 0;
   };
 

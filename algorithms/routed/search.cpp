@@ -1,6 +1,6 @@
 // Step R.3, the cheapest route of an edge and the best place of a vertex, exactly, against fixed
 // costs of points: from the fields of one end (fields.h) the last segment is walked back from the
-// other, and the rest is traced. The plain search over all points, directions and bends is the oracle
+// other, and the rest is traced; a vertex has the fields of all its neighbours. The plain search over all points, directions and bends is the oracle
 // in the tests. Cost: the fields, nearly.
 #include "ar3d/algorithms/routed/search.h"
 
@@ -37,53 +37,50 @@ int RouteSearch::best_end(const End& v, int limit, std::span<const LastTurn> exc
     limit = cost;
     if (ties == 1 || random.below(ties) == 0) best = turn;
   };
-  const Spot at = v.at - fields_.low();
+  const CostFields& fields = fields_[0];
+  const Spot at = v.at - fields.low();
   for (int d = 0; d < points_.num_directions(); ++d) {
     if (!has(v.arms, PointClass::opposite(d))) continue;
     int cost = CostBox::kStep;
     int left = 1;
-    for (Spot p = at - points_.step(d); fields_.is_open(p) && cost <= limit;
-         p = p - points_.step(d), ++left) {
-      if (p == fields_.from()) {
-        if (fields_.field(0, d)) offer(cost, {-1, d, d, left});
+    for (Spot p = at - points_.step(d); cost <= limit; p = p - points_.step(d), ++left) {
+      if (p == fields.from()) {
+        if (fields.field(0, d)) offer(cost, {-1, d, d, left});
         break;
       }
-      const std::size_t i = fields_.index(p);
-      for (int layer = 0; layer < fields_.num_layers(); ++layer) {
+      const std::size_t i = fields.index(p);
+      if (fields.cost(i) >= kInfinite) break;
+      for (int layer = 0; layer < fields.num_layers(); ++layer) {
         for (int e = 0; e < points_.num_directions(); ++e) {
-          const Cost* field = fields_.field(layer, e);
+          const Cost* field = fields.field(layer, e);
           if (field && has(points_.turns(e), d)) offer(cost + field[i], {layer, e, d, left});
         }
       }
-      if (fields_.cost(i) >= kInfinite) break;
-      cost += fields_.cost(i);
+      cost += fields.cost(i);
     }
   }
   return limit;
 }
 
-/// Follows least costs back to their source; where several steps lead there, one at random.
-void RouteSearch::trace(const End& v, const LastTurn& last, RandomStream& random,
-                        Route& found) const {
+/// The route to p that arrives there in direction d after so many bends: follows least costs back to
+/// their source; where several steps lead there, one at random.
+Route RouteSearch::trace(const CostFields& fields, Spot p, int layer, int d,
+                         RandomStream& random) const {
   std::array<std::pair<int, int>, kMostSegments> back;  // direction, length
   std::size_t segments = 1;
-  back[0] = {last.into, last.left};
-  Spot p = v.at - fields_.low() - last.left * points_.step(last.into);
-  int layer = last.layer;
-  int d = last.direction;
-  if (layer >= 0) back[segments++] = {d, 0};
+  back[0] = {d, 0};
   while (layer >= 0) {
-    const std::size_t i = fields_.index(p);
-    const int before = fields_.field(layer, d)[i] - fields_.cost(i);
+    const std::size_t i = fields.index(p);
+    const int before = fields.field(layer, d)[i] - fields.cost(i);
     p = p - points_.step(d);
     ++back[segments - 1].second;
-    if (layer == 0 && p == fields_.from()) break;
-    const std::size_t j = fields_.index(p);
+    if (layer == 0 && p == fields.from()) break;
+    const std::size_t j = fields.index(p);
     int next_layer = layer;
     int next = -1;
     std::uint32_t ways = 0;
     const auto offer = [&](int to_layer, int e) {
-      const Cost* field = fields_.field(to_layer, e);
+      const Cost* field = fields.field(to_layer, e);
       if (!field || field[j] != before) return;
       if (++ways > 1 && random.below(ways) != 0) return;
       next_layer = to_layer;
@@ -97,20 +94,18 @@ void RouteSearch::trace(const End& v, const LastTurn& last, RandomStream& random
     layer = next_layer;
     d = next;
   }
-  found.segments = static_cast<std::uint8_t>(segments);
-  for (std::size_t s = 0; s < segments; ++s) {
-    found.direction[s] = static_cast<std::uint8_t>(back[segments - 1 - s].first);
-    found.length[s] = static_cast<std::int16_t>(back[segments - 1 - s].second);
-  }
+  Route found;
+  for (std::size_t s = segments; s-- > 0;) found.add(back[s].first, back[s].second);
+  return found;
 }
 
-bool RouteSearch::meets_itself(const Route& route) {
-  passed_.assign(1, fields_.index(fields_.from()));
-  Spot p = fields_.from();
+bool RouteSearch::meets_itself(const CostFields& fields, const Route& route) {
+  passed_.assign(1, fields.index(fields.from()));
+  Spot p = fields.from();
   for (std::size_t s = 0; s < route.segments; ++s) {
     for (int t = 0; t < route.length[s]; ++t) {
       p = p + points_.step(route.direction[s]);
-      passed_.push_back(fields_.index(p));
+      passed_.push_back(fields.index(p));
     }
   }
   std::sort(passed_.begin(), passed_.end());
@@ -121,13 +116,17 @@ int RouteSearch::find_in_window(const End& v, int limit, RandomStream& random, R
   std::vector<LastTurn> excluded;
   for (int go = 0; go < kMostEnds; ++go) {
     LastTurn last;
-    last.left = 0;
     const int cost = best_end(v, limit, excluded, random, last);
     if (last.left == 0) return limit;
-    trace(v, last, random, found);
-    if (!meets_itself(found)) return cost;
+    found = {};
+    if (last.layer >= 0) {
+      const Spot p = v.at - fields_[0].low() - last.left * points_.step(last.into);
+      found = trace(fields_[0], p, last.layer, last.direction, random);
+    }
+    found.add(last.into, last.left);
+    if (!meets_itself(fields_[0], found)) return cost;
     excluded.push_back(last);
-    found.segments = 0;
+    found = {};
   }
   return limit;
 }
@@ -141,7 +140,7 @@ int RouteSearch::find(const CostBox& box, const End& u, const End& v, int limit,
   for (int go = 0; go < (is_wide ? kMostWidenings : 2); ++go) {
     const int steps = std::min((limit - 1) / CostBox::kStep, least + slack);
     if (steps < least) return limit;
-    const bool is_part = fields_.open(box, u, v.at, 0, steps, bends_);
+    const bool is_part = fields_[0].open(box, u, v.at, 0, steps, bends_);
     Route route;
     const int cost = find_in_window(v, limit, random, route);
     if (route) {
@@ -176,24 +175,29 @@ int RouteSearch::cheapest_arms(std::size_t i, std::size_t neighbours, std::size_
   return limit;
 }
 
-/// Least costs of arriving at the places in every direction.
-void RouteSearch::note_arrivals(std::size_t neighbour) {
+/// Least costs of arriving at the places, by arm, and the least of all added to the bounds.
+void RouteSearch::note_arrivals(std::size_t neighbour, Directions arms) {
+  std::vector<Cost> least(bounds_.size(), kInfinite);
   for (int d = 0; d < points_.num_directions(); ++d) {
-    std::vector<Cost>& costs =
-        arrivals_[neighbour][static_cast<std::size_t>(PointClass::opposite(d))];
-    costs.assign(place_rows_.size() * place_lanes_, kInfinite);
-    for (int layer = 0; layer < fields_.num_layers(); ++layer) {
-      const Cost* field = fields_.field(layer, d);
-      if (!field) continue;
-      for (std::size_t r = 0; r < place_rows_.size(); ++r) {
-        const Spot p = place_rows_[r] - fields_.low();
-        if (!fields_.is_open(p)) continue;
-        const Cost* from = field + fields_.index(p);
-        Cost* to = costs.data() + r * place_lanes_;
-        for (std::size_t k = 0; k < place_lanes_; ++k) to[k] = std::min(to[k], from[k]);
-      }
-    }
+    if (!has(arms, d)) continue;
+    std::vector<Cost>& costs = arrivals_[neighbour][static_cast<std::size_t>(d)];
+    costs.resize(bounds_.size());
+    fields_[neighbour].write_arrivals(PointClass::opposite(d), place_rows_, costs);
+    for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], costs[i]);
   }
+  for (std::size_t i = 0; i < least.size(); ++i) bounds_[i] += least[i];
+}
+
+/// The cheapest route that arrives at a point of the window in direction d.
+Route RouteSearch::route_to(const CostFields& fields, Spot at, int d, RandomStream& random) {
+  const std::size_t i = fields.index(at);
+  int best = -1;
+  for (int layer = 0; layer < fields.num_layers(); ++layer) {
+    const Cost* field = fields.field(layer, d);
+    if (field && (best < 0 || field[i] < fields.field(best, d)[i])) best = layer;
+  }
+  const Route found = trace(fields, at, best, d, random);
+  return meets_itself(fields, found) ? Route{} : found;
 }
 
 /// The points at most `radius` away, in rows; those that are free are marked by what they cost.
@@ -237,23 +241,21 @@ int RouteSearch::find_place(const CostBox& box, Spot now, std::span<const End> n
   };
   for (const End& end : neighbours) least_of_all += CostBox::kStep * least(end);
   bounds_.assign(place_costs_.size(), 0);
+  Directions arms_of_all = 0;
+  for (const std::size_t frame : frames) {
+    arms_of_all = static_cast<Directions>(arms_of_all | points_.frames()[frame]);
+  }
   for (std::size_t k = 0; k < neighbours.size(); ++k) {
     const int from_here = least(neighbours[k]);
     const int steps = std::min(from_here + 3 + radius + from_here / 6,
                                from_here + (limit - 1 - least_of_all) / CostBox::kStep);
     if (steps < from_here) return limit;
-    fields_.open(box, neighbours[k], now, radius, steps, bends_ + 1);
-    note_arrivals(k);
-    for (std::size_t i = 0; i < bounds_.size(); ++i) {
-      Cost cheapest = kInfinite;
-      for (int d = 0; d < points_.num_directions(); ++d) {
-        cheapest = std::min(cheapest, arrivals_[k][static_cast<std::size_t>(d)][i]);
-      }
-      bounds_[i] += cheapest;
-    }
+    fields_[k].open(box, neighbours[k], now, radius, steps, bends_ + 1);
+    note_arrivals(k, arms_of_all);
   }
   std::uint32_t ties = 0;
   const int edges = static_cast<int>(neighbours.size());
+  std::array<std::uint8_t, 4> best{};
   for (std::size_t i = 0; i < bounds_.size(); ++i) {
     if (place_costs_[i] < 0) continue;
     const int extra = edges * place_costs_[i];  // of routes that pass, not of those that end here
@@ -268,8 +270,13 @@ int RouteSearch::find_place(const CostBox& box, Spot now, std::span<const End> n
       if (ties > 1 && random.below(ties) != 0) continue;
       Spot at = place_rows_[i / place_lanes_];
       at.z += 2 * static_cast<int>(i % place_lanes_);
-      found = {at, frame, arms};
+      found = {at, frame, {}};
+      best = arms;
     }
+  }
+  for (std::size_t k = 0; k < neighbours.size() && ties > 0; ++k) {
+    found.routes[k] =
+        route_to(fields_[k], found.at - fields_[k].low(), PointClass::opposite(best[k]), random);
   }
   return limit;
 }

@@ -8,18 +8,19 @@
 
 namespace ar3d::routed {
 
-/// Where a vertex may go, and the arm of each of its edges there.
+/// Where a vertex may go, and the routes to it there.
 struct Place {
   Spot at;
   std::size_t frame = 0;
-  std::array<std::uint8_t, 4> arms{};
+  std::array<Route, 4>
+      routes;  ///< from its neighbours; none if a cheapest one passes a point twice
 };
 
 /// Searches for the cheapest routes, exactly; one for each thread, for its tables.
 class RouteSearch {
  public:
   RouteSearch(const PointClass& points, int bends)
-      : points_(points), bends_(bends), fields_(points) {}
+      : points_(points), bends_(bends), fields_(4, CostFields(points)) {}
 
   /// Finds the cheapest route below `limit`. Steps away from the ends are limited, further if
   /// `is_wide`; what costs less than 4 times that limit is found for certain.
@@ -28,7 +29,7 @@ class RouteSearch {
   int find(const CostBox& box, const End& u, const End& v, int limit, bool is_wide,
            RandomStream& random, Route& found);
 
-  /// Finds the point at most `radius` from `now`, the frame and the arms with which routes to the
+  /// Finds the point at most `radius` from `now`, the frame and the arms with which routes from the
   /// neighbours cost least in sum, each priced alone; one of several at random.
   /// @param frames  that are allowed, as numbers.
   /// @return the sum, and the place; `limit` if there is none below.
@@ -51,17 +52,18 @@ class RouteSearch {
   int steps_between(Spot a, Spot b) const;
   int best_end(const End& v, int limit, std::span<const LastTurn> excluded, RandomStream& random,
                LastTurn& best) const;
-  void trace(const End& v, const LastTurn& last, RandomStream& random, Route& found) const;
+  Route trace(const CostFields& fields, Spot p, int layer, int d, RandomStream& random) const;
+  Route route_to(const CostFields& fields, Spot at, int d, RandomStream& random);
   int find_in_window(const End& v, int limit, RandomStream& random, Route& found);
-  bool meets_itself(const Route& route);
+  bool meets_itself(const CostFields& fields, const Route& route);
   void list_places(const CostBox& box, Spot now, int radius);
-  void note_arrivals(std::size_t neighbour);
+  void note_arrivals(std::size_t neighbour, Directions arms);
   int cheapest_arms(std::size_t i, std::size_t neighbours, std::size_t frame, int limit,
                     std::array<std::uint8_t, 4>& arms) const;
 
   const PointClass& points_;
   int bends_;
-  CostFields fields_;
+  std::vector<CostFields> fields_;  // of the first end, or of each neighbour
   std::vector<std::size_t> passed_;
   // The places of a vertex: rows of points, what they cost routes (-1: not free), a bound from below
   // for the vertex there; least costs of arriving, by neighbour and arm.

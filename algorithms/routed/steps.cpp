@@ -16,10 +16,6 @@ Directions bit(int d) { return static_cast<Directions>(1u << d); }
 
 }  // namespace
 
-Spot cross(Spot a, Spot b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 PointClass::PointClass(bool is_body) : is_body_(is_body) {
   const auto add = [this](Spot d) { steps_.insert(steps_.end(), {d, -1 * d}); };
   for (const Spot d : kBody) {

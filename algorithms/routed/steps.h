@@ -19,7 +19,6 @@ inline Spot operator+(Spot a, Spot b) { return {a.x + b.x, a.y + b.y, a.z + b.z}
 inline Spot operator-(Spot a, Spot b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Spot operator*(int k, Spot a) { return {k * a.x, k * a.y, k * a.z}; }
 inline int dot(Spot a, Spot b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Spot cross(Spot a, Spot b);
 
 /// A box of points: from low to high, both included.
 struct Limits {
@@ -27,7 +26,6 @@ struct Limits {
   Spot high;
   Spot sides() const { return high - low + Spot{1, 1, 1}; }
   int longest() const { return std::max({sides().x, sides().y, sides().z}); }
-  std::int64_t volume() const { return std::int64_t{1} * sides().x * sides().y * sides().z; }
   bool contain(Spot p) const {
     return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z &&
            p.z <= high.z;
@@ -81,6 +79,17 @@ struct Route {
   std::array<std::uint8_t, kMostSegments> direction{};
   std::array<std::int16_t, kMostSegments> length{};
   explicit operator bool() const { return segments > 0; }
+  /// Goes on in a direction for so many steps.
+  void add(int d, int steps) {
+    direction[segments] = static_cast<std::uint8_t>(d);
+    length[segments++] = static_cast<std::int16_t>(steps);
+  }
+  /// Returns the same way from v to u.
+  Route reversed() const {
+    Route result;
+    for (std::size_t s = segments; s-- > 0;) result.add(direction[s] ^ 1, length[s]);
+    return result;
+  }
 };
 
 /// Calls visit(p) for the bends of a route from `from` on, and for its end.

@@ -126,18 +126,27 @@ RowCosts measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
                   run.choice.algorithm->name, run.options, passed(end, budget, n)));
 }
 
+// @param calibration_n  raised to the largest size that was drawn.
 CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std::uint64_t largest,
-                     const Budget& budget) {
+                     const Budget& budget, std::uint64_t& calibration_n) {
+  constexpr double kSlow_s = 1;  // such drawings are known from smaller ones
   // What a program costs is not known before.
   if (run.choice.algorithm->is_foreign) return model_through({}, {});
+  const auto measured = [&](std::uint64_t size) {
+    const RowCosts costs = measured_at(instance, run, size, budget);
+    if (costs.row_s > 0) calibration_n = std::max(calibration_n, size);
+    return costs;
+  };
+  const auto smaller = [](std::uint64_t size) {
+    return std::max<std::uint64_t>(1, size / kSizeRatio);
+  };
   const std::uint64_t size = calibration_size(largest);
-  const std::uint64_t smaller = std::max<std::uint64_t>(1, size / kSizeRatio);
-  const RowCosts small = measured_at(instance, run, smaller, budget);
+  const RowCosts small = measured(smaller(size));
+  if (small.row_s > kSlow_s) return model_through(measured(smaller(smaller(size))), small);
   const auto n_of = [&](std::uint64_t wanted) {
     return instance.choice.family->nearest_n(wanted, instance.choice.parameters);
   };
-  return model_through(
-      small, n_of(size) == n_of(smaller) ? small : measured_at(instance, run, size, budget));
+  return model_through(small, n_of(size) == n_of(smaller(size)) ? small : measured(size));
 }
 
 class Estimator {
@@ -230,11 +239,10 @@ class Estimator {
                                 });
     }
     const CostModel& model =
-        models_.emplace(curve, calibrated(instance, run, largest_.at(curve), plan_.budget))
+        models_
+            .emplace(curve, calibrated(instance, run, largest_.at(curve), plan_.budget,
+                                       result_.calibration_n))
             .first->second;
-    if (model(1).row_s > 0) {
-      result_.calibration_n = std::max(result_.calibration_n, calibration_size(largest_.at(curve)));
-    }
     alike.push_back(&model);
     return model;
   }

@@ -1,6 +1,7 @@
 """What pages print runs as printed, and what they say of committed results is so: pages.py SOURCE BUILD AR3D [UNITTEST'S ARGUMENTS].
 
-`pages.py SOURCE BUILD AR3D --print` prints the sentences of results/reference/precision.md as the committed rows have them."""
+`pages.py SOURCE BUILD AR3D --print` prints the sentences and tables of results/reference/precision.md and routed.md as
+the committed rows have them."""
 import csv
 import functools
 import json
@@ -275,6 +276,9 @@ class Told(Page):
                     for effort in range(3)]
             self.assertEqual([cell.strip() for cell in cells("docs/optimum.md", f"`{algorithm}`")], said)
 
+    def test_routed_is_what_the_committed_rows_say(self):
+        self.expect(page("results/reference/routed.md"), *("\n" + line + "\n" for line in routed_lines()))
+
     def test_precision_is_what_the_committed_rows_say(self):
         rows, real = precision_rows()[0], precision_rows()[0]["algorithm"] == b"two-bend-paper"
         measured = (rows["certificate"] == b"measured").sum()
@@ -408,8 +412,54 @@ class Launcher(Page):
                          "not installed here, although the build and the tests need it")
 
 
+def routed_lines():
+    """Lines of the tables of results/reference/routed.md: volume over n^1.5 and CPU seconds, medians; exponents; points."""
+    runs = h5py.File(REFERENCE / "1.0.0-routed.h5")["runs"][:]
+    assert not runs["violations"].any() and (runs["status"] == b"ok").all()
+
+    def of(family, algorithm, options):
+        return runs[(runs["family"] == family.encode()) & (runs["algorithm"] == algorithm.encode())
+                    & np.char.startswith(runs["options"], options.encode())]
+
+    def cell(rows, n):
+        rows = rows[rows["requested_n"] == n]
+        volumes = 2 ** rows["log2_volume"] / rows["n"] ** 1.5
+        return f"{float(f'{np.median(volumes):.3g}'):,g}, {np.median(rows['cpu_s']):.2g} s" if len(rows) else "–"
+    lines = []
+    settings = {"random-4-regular": [("routed", f"effort=1;bends={b}") for b in (3, 4, 5)] + [("diamond", "effort=2"), ("compact", "effort=2")],
+                "random-cubic": [("routed-120", f"effort=1;bends={b}") for b in (3, 4, 5)] + [("grid", "effort=1"), ("compact-120", "effort=2")]}
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([AR3D, "report", "-q", REFERENCE / "1.0.0-routed.h5", "-o", f"{folder}/page.html", "--growth", f"{folder}/growth.csv"],
+                       capture_output=True, check=True)
+        growth = list(csv.DictReader(open(f"{folder}/growth.csv")))
+    for family, columns in settings.items():
+        curves = [of(family, *column) for column in columns]
+        lines += [f"| {n:,} | {' | '.join(cell(rows, n) for rows in curves)} |" for n in np.unique(curves[0]["requested_n"])]
+        lines += [f"| {family}, {quantity} | " + " | ".join(
+            next(f"{float(row['exponent']):.2f} [{float(row['exponent_low']):.2f}, {float(row['exponent_high']):.2f}], {row['growth']}"
+                 for row in growth if (row["algorithm"], row["family"], row["quantity"]) == (name, family, quantity)
+                 and row["options"].startswith(options)) for name, options in columns) + " |" for quantity in ("longest side", "volume")]
+        algorithm = columns[0][0]
+        lines += [f"| {family}, {b} | {' | '.join(cell(of(family, algorithm, f'effort=0;bends={b}'), n) for n in (10, 100, 1000))} |"
+                  for b in (3, 5)]
+    for family in np.unique(runs["family"]):
+        name = family.decode()
+        if name not in settings and name != "named":
+            kind = [(a, b) for a in ("routed", "routed-120") for b in (3, 5)]
+            lines += [f"| {name} | " + " | ".join(cell(of(name, a, f"effort=1;bends={b}"), 100) for a, b in kind) + " | "
+                      + " | ".join(cell(of(name, a, "effort=1;bends=3"), 1000) for a in ("routed", "routed-120")) + " |"]
+    named = runs[runs["family"] == b"named"]
+    for key in dict.fromkeys((row["graph_name"] or row["parameters"]).decode() for row in named):
+        def points(algorithm, effort):
+            rows = [row for row in named if (row["graph_name"] or row["parameters"]).decode() == key and row["algorithm"] == algorithm.encode()
+                    and row["options"].startswith(f"effort={effort}".encode())]
+            return f"{2 ** rows[0]['log2_volume']:.0f}, {rows[0]['cpu_s']:.2g} s" if rows else "–"
+        lines += [f"| {key} | {' | '.join(points(a, e) for a in ('routed', 'routed-120') for e in range(3))} |"]
+    return lines
+
+
 if __name__ == "__main__":
     if "--print" in sys.argv:
-        print("\n".join(precision_sentences()))
+        print("\n".join(precision_sentences() + routed_lines()))
     else:
         unittest.main(argv=[sys.argv[0], *sys.argv[4:]])
