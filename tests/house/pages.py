@@ -449,12 +449,10 @@ def routed_lines():
             lines += [f"| {name} | " + " | ".join(cell(of(name, a, f"effort=1;bends={b}"), 100) for a, b in kind) + " | "
                       + " | ".join(cell(of(name, a, "effort=1;bends=3"), 1000) for a in ("routed", "routed-120")) + " |"]
     named = runs[runs["family"] == b"named"]
-    for key in dict.fromkeys((row["graph_name"] or row["parameters"]).decode() for row in named):
-        def points(algorithm, effort):
-            rows = [row for row in named if (row["graph_name"] or row["parameters"]).decode() == key and row["algorithm"] == algorithm.encode()
-                    and row["options"].startswith(f"effort={effort}".encode())]
-            return f"{2 ** rows[0]['log2_volume']:.0f}, {rows[0]['cpu_s']:.2g} s" if rows else "–"
-        lines += [f"| {key} | {' | '.join(points(a, e) for a in ('routed', 'routed-120') for e in range(3))} |"]
+    for parameters in dict.fromkeys(named["parameters"]):
+        by_effort = [row for row in named if row["parameters"] == parameters]
+        lines.append(f"| {by_effort[0]['graph_name'].decode()} | " + " | ".join(
+            f"{2 ** row['log2_volume']:.0f}, {row['cpu_s']:.2g} s" for row in by_effort) + " |")
     return lines
 
 
