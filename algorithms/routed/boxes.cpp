@@ -53,8 +53,7 @@ class BoxSearch {
     ++counts_.boxes;
     Negotiation negotiation(graph_, points_, bends_, std::move(given),
                             mix_seed(kSeed, static_cast<std::uint64_t>(counts_.boxes)));
-    const std::size_t conflicts = negotiation.run(
-        {.rounds_without_gain = patience, .searches = most_searches_ - counts_.searches});
+    const std::size_t conflicts = negotiation.run(patience, most_searches_ - counts_.searches);
     counts_.searches += negotiation.searches();
     last_ = negotiation.routing();
     if (conflicts > 0) {

@@ -56,9 +56,13 @@ int CostFields::choose_rows(const CostBox& box, Spot to, int radius, int steps, 
       const int count = ((z1 - side + 2) >> 1) - first;
       if (count <= 0) continue;
       const int vectors = (count + kVector - 1) / kVector;
-      parts_[row(x, y)] = {size + kPad - first, first, vectors};
-      used_.push_back({row(x, y), static_cast<std::size_t>(side), count,
-                       box.index(low_ + Spot{x, y, 2 * first + side})});
+      parts_[row(x, y)] = {size + kPad - first,
+                           first,
+                           vectors,
+                           count,
+                           box.index(low_ + Spot{x, y, 2 * first + side}),
+                           static_cast<std::size_t>(side)};
+      used_.push_back(row(x, y));
       size += vectors * kVector + 2 * kPad;
     }
   }
@@ -68,12 +72,12 @@ int CostFields::choose_rows(const CostBox& box, Spot to, int radius, int steps, 
 /// What it costs to pass the points of the rows.
 void CostFields::copy_costs(const CostBox& box, int size) {
   costs_.assign(static_cast<std::size_t>(size), kInfinite);
-  for (const UsedRow& used : used_) {
-    const Row& part = parts_[used.row];
+  for (const std::size_t r : used_) {
+    const Row& part = parts_[r];
     Cost* to = costs_.data() + part.base + part.first;
-    for (int k = 0; k < used.count; ++k) {
+    for (int k = 0; k < part.points; ++k) {
       to[k] =
-          static_cast<Cost>(std::min<int>(kInfinite, box.cost(used.in_box + k) + CostBox::kStep));
+          static_cast<Cost>(std::min<int>(kInfinite, box.cost(part.in_box + k) + CostBox::kStep));
     }
   }
 }
@@ -165,9 +169,9 @@ void CostFields::sweep(int layer, int d) {
     rows_before[static_cast<std::size_t>(side)] = row(p.x - step.x, p.y - step.y) - row(p.x, p.y);
     shift[static_cast<std::size_t>(side)] = (side - step.z) >> 1;
   }
-  const auto fill_row = [&](const UsedRow& used) {
-    const Row part = parts_[used.row];
-    const Row before = parts_[used.row + rows_before[used.parity]];
+  const auto fill_row = [&](std::size_t r) {
+    const Row& part = parts_[r];
+    const Row& before = parts_[r + rows_before[part.parity]];
     Cost* out = field + part.base + part.first;
     const int count = part.vectors * kVector;
     out[-2] = out[-1] = out[count] = out[count + 1] = kInfinite;
@@ -176,7 +180,7 @@ void CostFields::sweep(int layer, int d) {
       return;
     }
     const Cost* cost = costs_.data() + part.base + part.first;
-    const std::ptrdiff_t at = before.base + part.first + shift[used.parity];
+    const std::ptrdiff_t at = before.base + part.first + shift[part.parity];
     for (int k = 0; k < count; k += kVector) {
       relax<kTurns>(out + k, cost + k, field + at + k, turns, at + k);
     }
@@ -199,7 +203,7 @@ void CostFields::write_arrivals(int d, std::span<const Spot> rows, std::span<Cos
   Cost* out = costs.data();
   for (std::size_t r = 0; r < rows.size(); ++r, out += count) {
     const Spot p = rows[r] - low_;
-    const Row part = parts_[row(p.x, p.y)];
+    const Row& part = parts_[row(p.x, p.y)];
     const int first = p.z >> 1;
     for (std::size_t t = 0; t < found; ++t) {
       for (int k = 0; k < count; k += kVector) {

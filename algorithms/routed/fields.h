@@ -39,7 +39,7 @@ class CostFields {
   Spot from() const { return from_; }  ///< the end, in the window
   /// Index of a point of the class in every field, if the point is at most a step outside.
   std::size_t index(Spot p) const {
-    return static_cast<std::size_t>(parts_[row(p.x, p.y)].base + (p.z >> 1));
+    return static_cast<std::size_t>(parts_[row(p.x, p.y)].base + std::ptrdiff_t{p.z >> 1});
   }
   /// Cost of passing a point, its step included; kInfinite outside.
   Cost cost(std::size_t i) const { return costs_[i]; }
@@ -55,16 +55,13 @@ class CostFields {
     int base = kPad;  // index of z = 0 or 1
     int first = 0;
     int vectors = 0;
-  };
-  /// A row that is not empty.
-  struct UsedRow {
-    std::size_t row;
-    std::size_t parity;
-    int count;   // of points
-    int in_box;  // index of the first one
+    int points = 0;
+    int in_box = 0;  // index of the first point
+    std::size_t parity = 0;
   };
   std::size_t row(int x, int y) const {
-    return static_cast<std::size_t>((x + 1) * rows_ + (points_.is_body() ? y >> 1 : y) + 1);
+    return static_cast<std::size_t>(std::ptrdiff_t{x + 1} * rows_ +
+                                    (points_.is_body() ? y >> 1 : y) + 1);
   }
   int parity(int x, int y) const { return points_.is_body() ? x & 1 : (x + y) & 1; }
   int choose_rows(const CostBox& box, Spot to, int radius, int steps, Spot high);
@@ -77,9 +74,9 @@ class CostFields {
   const PointClass& points_;
   Spot low_;
   Spot from_;
-  int rows_ = 0;               // of one x, with a border
-  std::vector<Row> parts_;     // by row, with a border
-  std::vector<UsedRow> used_;  // in order
+  int rows_ = 0;                   // of one x, with a border
+  std::vector<Row> parts_;         // by row, with a border
+  std::vector<std::size_t> used_;  // rows that are not empty, in order
   std::vector<Cost> costs_;
   std::vector<Cost> storage_;
   std::array<std::array<Cost*, kMostDirections>, kMostBends + 1> fields_{};

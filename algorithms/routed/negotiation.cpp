@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kEdgesAtOnce = 32;  // in a group
 constexpr std::size_t kWorthThreads = 6;  // searches side by side
 constexpr EdgeId kEdgesWorthThreads = 400;
+constexpr int kMostRounds = 250;
 constexpr int kRoundsOfAll = 3;  // after them only edges in conflict are routed anew
 constexpr int kPriceCap = 30 * 16;
 constexpr int kMostIncrease = 64;  // of the history in a round, in quarters
@@ -217,13 +218,13 @@ void Negotiation::raise_prices(int round) {
   for (EdgeId e = 0; e < graph_.num_edges(); ++e) box_.refresh(start(e), now_.routes[e]);
 }
 
-std::size_t Negotiation::run(const Patience& patience) {
+std::size_t Negotiation::run(int patience, std::uint64_t most_searches) {
   std::size_t fewest = graph_.num_edges() + 1;
   int without_gain = 0;
   std::vector<EdgeId> edges = conflicts();
   const int rounds_of_all = edges.size() == graph_.num_edges() ? kRoundsOfAll : 0;
-  for (int round = 0; round < patience.rounds && conflicts_ > 0; ++round) {
-    if (searches_ >= patience.searches) break;
+  for (int round = 0; round < kMostRounds && conflicts_ > 0; ++round) {
+    if (searches_ >= most_searches) break;
     route_all(edges);
     edges = conflicts();
     if (round >= 2) {
@@ -234,7 +235,7 @@ std::size_t Negotiation::run(const Patience& patience) {
     if (edges.size() * 100 < fewest * 97) {
       fewest = edges.size();
       without_gain = 0;
-    } else if (round > 12 && ++without_gain > patience.rounds_without_gain) {
+    } else if (round > 12 && ++without_gain > patience) {
       break;
     }
     if (round < rounds_of_all) {

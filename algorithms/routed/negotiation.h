@@ -23,13 +23,6 @@ struct Routing {
   std::vector<Route> routes;
 };
 
-/// Holds when a negotiation ends without success.
-struct Patience {
-  int rounds = 250;
-  int rounds_without_gain = 60;  ///< after the first dozen
-  std::uint64_t searches = 0;    ///< none begins a round above so many
-};
-
 /// Edges that negotiate for the points of a box. The result depends on the graph, the layout and the
 /// seed alone, not on the number of threads.
 class Negotiation {
@@ -39,8 +32,10 @@ class Negotiation {
               std::uint64_t seed);
 
   /// Routes edges anew, and moves vertices, until no point is shared.
+  /// @param patience  rounds without gain after which it ends, from the 13th on.
+  /// @param most_searches  no round begins after so many.
   /// @return the number of edges in conflict that are left; 0: the routing is a drawing.
-  std::size_t run(const Patience& patience);
+  std::size_t run(int patience, std::uint64_t most_searches);
 
   const Routing& routing() const { return now_; }
   /// Searches made so far.

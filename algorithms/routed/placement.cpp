@@ -32,22 +32,6 @@ std::vector<std::int32_t> exponential_table() {
   return table;
 }
 
-/// A few numbers in ascending order; the first four that come.
-class Ascending {
- public:
-  void add(int number) {
-    if (count_ == numbers_.size()) return;
-    std::size_t i = count_++;
-    for (; i > 0 && numbers_[i - 1] > number; --i) numbers_[i] = numbers_[i - 1];
-    numbers_[i] = number;
-  }
-  int median() const { return (numbers_[(count_ - 1) / 2] + numbers_[count_ / 2]) / 2; }
-
- private:
-  std::array<int, 4> numbers_{};
-  std::size_t count_ = 0;
-};
-
 class Annealing {
  public:
   Annealing(const Graph& graph, Spot cells, RandomStream random)
@@ -121,12 +105,12 @@ class Annealing {
 
   std::uint32_t cell_near_neighbours(Vertex v) {
     const auto edges = graph_.incident(v);
-    std::array<Ascending, 3> of;
-    for (const HalfEdge& half : edges) {
-      const Spot p = spots_[of_[half.to]];
-      of[0].add(p.x);
-      of[1].add(p.y);
-      of[2].add(p.z);
+    std::array<std::array<int, 4>, 3> of{};  // no vertex has more neighbours
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const Spot p = spots_[of_[edges[k].to]];
+      of[0][k] = p.x;
+      of[1][k] = p.y;
+      of[2][k] = p.z;
     }
     const int side = std::max({cells_.x, cells_.y, cells_.z});
     const std::int64_t reach = std::min<std::int64_t>(temperature_ * 3 >> 10, kUnit * 45 / 100);
@@ -134,7 +118,8 @@ class Annealing {
     const std::array<int, 3> sides = {cells_.x, cells_.y, cells_.z};
     std::array<int, 3> p{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const int median = of[axis].median();
+      std::sort(of[axis].begin(), of[axis].begin() + static_cast<std::ptrdiff_t>(edges.size()));
+      const int median = (of[axis][(edges.size() - 1) / 2] + of[axis][edges.size() / 2]) / 2;
       const int shift = static_cast<int>(random_.below(static_cast<std::uint32_t>(2 * radius + 1)));
       p[axis] = std::clamp(median + shift - radius, 0, sides[axis] - 1);
     }

@@ -129,7 +129,7 @@ RowCosts measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
 // @param calibration_n  raised to the largest size that was drawn.
 CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std::uint64_t largest,
                      const Budget& budget, std::uint64_t& calibration_n) {
-  constexpr double kSlow_s = 1;  // such drawings are known from smaller ones
+  constexpr double kSlow_s = 0.3;  // such drawings are known from smaller ones
   // What a program costs is not known before.
   if (run.choice.algorithm->is_foreign) return model_through({}, {});
   const auto measured = [&](std::uint64_t size) {

@@ -43,7 +43,7 @@ EXIT = {"ar3d hunt --algorithm grid -n 60 --seeded-fault wrong-bend": 4, "ar3d s
 IN_PLACE_OF = {
     "study run quick": "study run quick.toml", " ROW": " 0", "study run peers": "study run peers.toml",
     "study run precision": "study run precision.toml", "study run figures.toml": "study run --force-timing figures.toml",
-    "study run regression": "study run smoke.toml", "study run short.toml": "study run --force-timing short.toml",
+    "study run regression": "study run smoke.toml", "study run routed": "study run quick.toml", "study run short.toml": "study run --force-timing short.toml",
     "compare one.h5 two.h5": "compare --time-always one.h5 two.h5",
     "compare --turns 'python3": "compare --drawings-only --turns 'python3", "compare --turns HEAD .": "compare --drawings-only --turns HEAD .",
     "build/release/bench/kernels/ar3d_limits --benchmark_out": "ar3d_limits --benchmark_filter='^draw/(search|grid)/.*n:1000/' --benchmark_out",
