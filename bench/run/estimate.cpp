@@ -238,11 +238,10 @@ class Estimator {
                                   return (*a)(instance.n).row_s < (*b)(instance.n).row_s;
                                 });
     }
-    const CostModel& model =
-        models_
-            .emplace(curve, calibrated(instance, run, largest_.at(curve), plan_.budget,
-                                       result_.calibration_n))
-            .first->second;
+    const CostModel& model = models_
+                                 .emplace(curve, calibrated(instance, run, largest_.at(curve),
+                                                            plan_.budget, result_.calibration_n))
+                                 .first->second;
     alike.push_back(&model);
     return model;
   }

@@ -65,11 +65,11 @@ TEST(Estimate, GrowsWithNFromSmallRuns) {
 
 // Routed drawings take seconds: a plan that drew the largest would take as long as the study.
 TEST(Estimate, SlowDrawingsAreKnownFromSmallerOnes) {
-  const StudyEstimate made = estimate(
-      plan_study(parse_study("study = \"t\"\n[[sweep]]\nfamilies = \"random-cubic\"\n"
-                             "sizes = 900\nalgorithms = \"routed-120\"\n",
-                             "t.toml")),
-      1);
+  const StudyEstimate made =
+      estimate(plan_study(parse_study("study = \"t\"\n[[sweep]]\nfamilies = \"random-cubic\"\n"
+                                      "sizes = 900\nalgorithms = \"routed-120\"\n",
+                                      "t.toml")),
+               1);
   EXPECT_EQ(made.calibration_n, 150u);
   EXPECT_GT(made.cells[0].row_s, 1.8) << "six times as long as the trial at least";
   EXPECT_GT(made.cells[0].row_bytes, 0);
