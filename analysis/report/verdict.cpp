@@ -129,7 +129,10 @@ void add_exponents(TableMaker& make) {
       for (const SectionCurve& curve : section.curves) {
         const ScalingEntry* entry = curve.growth(quantity);
         if (entry == nullptr) continue;
-        is_untimed |= entry->reason == kUntimed;
+        if (entry->reason == kUntimed) {
+          is_untimed = true;
+          continue;
+        }
         ++labels[static_cast<std::size_t>(entry->growth)];
         if (!entry->decided) continue;
         const double exponent = entry->power.exponent;
@@ -137,10 +140,11 @@ void add_exponents(TableMaker& make) {
         least = std::fmin(least, exponent), largest = std::fmax(largest, exponent);
         low = std::fmin(low, told.low), high = std::fmax(high, told.high);
       }
-      if (std::ranges::count(labels, 0U) == 4) continue;
+      const bool is_fitted = std::ranges::count(labels, 0U) < 4;
+      if (!is_fitted && !is_untimed) continue;
       table.add({i, name_of(quantity), unit_of(section, quantity), order_of(section, quantity),
                  least, largest, low, high, labels[0], labels[1], labels[2], labels[3],
-                 is_untimed});
+                 !is_fitted});
     }
   }
 }

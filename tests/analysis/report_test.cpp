@@ -147,6 +147,18 @@ TEST(Report, TimesAreThoseOfTheTimingPhase) {
   EXPECT_GE(rows_with(with_times["trade"], "front", true).size(), 9u);
   EXPECT_EQ(rows_with(with_times["curves"], "quantity", "drawing time").size(), 18u);
   EXPECT_EQ(rows_with(with_times["exponents"], "untimed", true).size(), 0u);
+  // A family that is not timed does not hide the exponent of one that is.
+  Results some = timed(good_results({"diamond"}, {"cubic", "prism"}, 9, 2));
+  std::erase_if(some.runs, [](const auto& run) {
+    return run.family == "prism" && run.phase == ar3d::RunPhase::timing;
+  });
+  const auto front = rows_with(tables_of(some)["exponents"], "quantity", "drawing time").at(0);
+  EXPECT_FALSE(front["untimed"]);
+  int families = 0;
+  for (const char* label : {"power", "logarithm", "apparent", "undecided"}) {
+    families += front[label].get<int>();
+  }
+  EXPECT_EQ(families, 1);
 }
 
 // Who drew other families is compared apart.
