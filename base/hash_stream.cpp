@@ -16,6 +16,16 @@ HashStream::HashStream() : state_(XXH3_createState()) {
 
 HashStream::~HashStream() { XXH3_freeState(state_); }
 
+void HashStream::put(std::span<const std::byte> bytes) {
+  if (bytes.size() > buffer_.size() - used_) flush();
+  if (bytes.size() > buffer_.size()) {
+    XXH3_128bits_update(state_, bytes.data(), bytes.size());
+    return;
+  }
+  std::memcpy(buffer_.data() + used_, bytes.data(), bytes.size());
+  used_ += bytes.size();
+}
+
 void HashStream::flush() {
   XXH3_128bits_update(state_, buffer_.data(), used_);
   used_ = 0;

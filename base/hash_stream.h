@@ -2,8 +2,10 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string>
 
 struct XXH3_state_s;  // of xxhash.h, which a user of the installed package need not have
@@ -21,14 +23,17 @@ class HashStream {
   void put(std::uint32_t value) { append(value); }
   void put(std::uint64_t value) { append(value); }
   void put(std::int64_t value) { append(static_cast<std::uint64_t>(value)); }
+  void put(const std::array<std::int64_t, 3>& values) { append(values); }
+  /// Integers as they stand in the memory.
+  void put(std::span<const std::byte> bytes);
 
   /// Returns 32 hexadecimal digits.
   std::string digest();
 
  private:
   // A call of the library costs more than hashing a number: numbers are gathered first.
-  template <class Integer>
-  void append(Integer value) {
+  template <class Integers>
+  void append(const Integers& value) {
     if (sizeof value > buffer_.size() - used_) flush();
     static_assert(std::endian::native == std::endian::little);
     std::memcpy(buffer_.data() + used_, &value, sizeof value);

@@ -23,7 +23,7 @@ Number inner(const Lattice& lattice, const std::array<Number, 3>& u,
   Number sum = u[0] * Number(g[0][0]) * v[0];
   sum += u[1] * Number(g[1][1]) * v[1];
   sum += u[2] * Number(g[2][2]) * v[2];
-  if ((g[0][1] | g[0][2] | g[1][0] | g[1][2] | g[2][0] | g[2][1]) == 0) return sum;
+  if (is_diagonal(lattice)) return sum;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       if (i != j && g[i][j] != 0) sum += u[i] * Number(g[i][j]) * v[j];

@@ -193,17 +193,14 @@ void DrawingHash::put(const RealPoints& points) {
   }
 }
 
-void DrawingHash::put(Point p) {
-  hash_.put(p.x);
-  hash_.put(p.y);
-  hash_.put(p.z);
-}
+void DrawingHash::put(Point p) { hash_.put(std::array{p.x, p.y, p.z}); }
 
-void DrawingHash::add(Edge ends, const std::vector<Point>& points) {
+void DrawingHash::add(Edge ends, std::span<const Point> points) {
   hash_.put(ends.u);
   hash_.put(ends.v);
   hash_.put(std::uint64_t{points.size()});
-  for (const Point p : points) put(p);
+  static_assert(sizeof(Point) == 3 * sizeof(std::int64_t));
+  hash_.put(std::as_bytes(points));
 }
 
 std::string drawing_hash(const Drawing& drawing) {

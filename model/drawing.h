@@ -253,7 +253,7 @@ class DrawingHash {
   /// Takes the metric and the vertices of the drawing.
   explicit DrawingHash(const Drawing& drawing);
   /// Takes the next edge and its polyline: every edge once, in order of edge numbers.
-  void add(Edge ends, const std::vector<Point>& points);
+  void add(Edge ends, std::span<const Point> points);
   /// After the last edge.
   std::string digest() { return hash_.digest(); }
 

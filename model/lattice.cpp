@@ -47,11 +47,6 @@ bool fits_int128(const Lattice& lattice, Vector u, Vector v, Cosine cosine) {
 std::string to_string(Point p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
 std::string to_string(Vector d) { return fmt::format("({}, {}, {})", d.x, d.y, d.z); }
 
-bool in_range(Point p) {
-  const auto fits = [](std::int64_t c) { return c >= -kMaxCoordinate && c <= kMaxCoordinate; };
-  return fits(p.x) && fits(p.y) && fits(p.z);
-}
-
 Vector primitive(Vector d) {
   const std::int64_t g = std::gcd(std::gcd(d.x, d.y), d.z);
   return g <= 1 ? d : Vector{d.x / g, d.y / g, d.z / g};
@@ -90,14 +85,14 @@ std::strong_ordering compare_cosine(const Lattice& lattice, Vector u, Vector v, 
   return compare(lattice, converted<Wide>(p), converted<Wide>(q), c);
 }
 
-double approximate_length(const Lattice& lattice, Vector u) {
+double approximate_square(const Lattice& lattice, Vector u) {
   const double a[3] = {static_cast<double>(u.x), static_cast<double>(u.y),
                        static_cast<double>(u.z)};
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) sum += a[i] * lattice.gram[i][j] * a[j];
   }
-  return std::sqrt(sum / lattice.gram_denominator);
+  return sum;
 }
 
 }  // namespace ar3d

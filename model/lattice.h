@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <string>
@@ -50,7 +51,10 @@ std::string to_string(Point p);
 std::string to_string(Vector d);
 
 /// True if every coordinate lies in [-kMaxCoordinate, kMaxCoordinate].
-bool in_range(Point p);
+inline bool in_range(Point p) {
+  const auto fits = [](std::int64_t c) { return c >= -kMaxCoordinate && c <= kMaxCoordinate; };
+  return fits(p.x) && fits(p.y) && fits(p.z);
+}
 
 /// d divided by the greatest common divisor of its components; the zero vector stays.
 Vector primitive(Vector d);
@@ -86,7 +90,24 @@ inline constexpr Lattice kScaledZLattice{{{{3, 0, 0}, {0, 3, 0}, {0, 0, 1}}}, 3}
 /// terms below 2^380).
 std::strong_ordering compare_cosine(const Lattice& lattice, Vector u, Vector v, Cosine c);
 
+/// Is the Gram matrix diagonal, the axes at right angles?
+inline bool is_diagonal(const Lattice& lattice) {
+  const auto& g = lattice.gram;
+  return (g[0][1] | g[0][2] | g[1][0] | g[1][2] | g[2][0] | g[2][1]) == 0;
+}
+
+/// u^T gram u, rounded.
+double approximate_square(const Lattice& lattice, Vector u);
+
 /// Length of u in the metric of the lattice, rounded (for statistics, never for decisions).
-double approximate_length(const Lattice& lattice, Vector u);
+inline double approximate_length(const Lattice& lattice, Vector u) {
+  const auto& g = lattice.gram;
+  const auto x = static_cast<double>(u.x), y = static_cast<double>(u.y),
+             z = static_cast<double>(u.z);
+  const double square = is_diagonal(lattice) ? x * g[0][0] * x + y * g[1][1] * y + z * g[2][2] * z
+                                             : approximate_square(lattice, u);
+  if (lattice.gram_denominator == 1) return std::sqrt(square);
+  return std::sqrt(square / lattice.gram_denominator);
+}
 
 }  // namespace ar3d

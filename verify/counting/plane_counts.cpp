@@ -9,7 +9,6 @@
 
 #include <bit>
 #include <cstdlib>
-#include <numeric>
 
 #include "ar3d/verify/predicates/functional.h"
 
@@ -136,27 +135,41 @@ void PlaneMeetings::count_bucket(std::size_t bucket) {
   }
 }
 
-/// By the bits of the plane's place in the window below those of its bucket.
-std::size_t PlaneMeetings::bin_of(const PlaneRecord& record) const {
-  return record.plane * (window_.count << bucket_bits_) >> bin_shift_;  // modulo 2^32
-}
-
+/// Behind the last one stand two that meet nothing.
 void PlaneMeetings::into_bins(std::size_t bucket, BucketBins& bins) const {
+  constexpr PlaneRecord kNothing{0, 0, INT32_MIN, 0};  // lower than any place
+  const auto bin_of = this->bin_of();
   bins.bounds.assign((std::size_t{1} << (32 - bin_shift_)) + 2, 0);
-  buckets_.for_each(bucket, [&](const PlaneRecord& r) { ++bins.bounds[bin_of(r) + 2]; });
-  bins.largest = *std::max_element(bins.bounds.begin(), bins.bounds.end());
-  std::partial_sum(bins.bounds.begin(), bins.bounds.end(), bins.bounds.begin());
-  if (bins.records.size() < bins.bounds.back()) bins.records.resize(bins.bounds.back());
-  buckets_.for_each(bucket,
-                    [&](const PlaneRecord& r) { bins.records[bins.bounds[bin_of(r) + 1]++] = r; });
+  std::uint32_t* const bounds = bins.bounds.data();
+  buckets_.for_each(bucket, [&](const PlaneRecord& r) { ++bounds[bin_of(r) + 2]; });
+  std::uint32_t sum = 0;
+  bins.largest = 0;
+  for (std::uint32_t& bound : bins.bounds) {
+    bins.largest = std::max(bins.largest, bound);
+    bound = sum += bound;
+  }
+  if (bins.records.size() < sum + 2) bins.records.resize(sum + 2);
+  PlaneRecord* const records = bins.records.data();
+  records[sum] = records[sum + 1] = kNothing;
+  buckets_.for_each(bucket, [&](const PlaneRecord& r) { records[bounds[bin_of(r) + 1]++] = r; });
 }
 
+/// Records of different bins do not meet. So two rows are always compared, wherever the bin ends:
+/// few bins have more, and no branch waits for their number.
 void PlaneMeetings::count_crossings(std::size_t bucket) {
+  const auto bin_of = this->bin_of();
+  const PlaneRecord* const records = bins_[0].records.data();
+  const std::uint32_t* const bounds = bins_[0].bounds.data();
   std::uint64_t crossing = 0;
   buckets_.for_each(bucket, [&](const PlaneRecord& column) {
-    for (const PlaneRecord& row : bins_[0][bin_of(column)]) {
-      asm("" : : "r"(&row));  // so few that vectors would only cost
-      crossing += meet(row, column);
+    const std::uint32_t bin = bin_of(column);
+    const PlaneRecord* row = records + bounds[bin];
+    const PlaneRecord* const end = records + bounds[bin + 1];
+    crossing += meet(row[0], column);
+    crossing += meet(row[1], column);
+    for (row += 2; row < end; ++row) {
+      asm("" : : "r"(row));  // so few that vectors would only cost
+      crossing += meet(*row, column);
     }
   });
   counts_.crossing += crossing;

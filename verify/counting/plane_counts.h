@@ -113,7 +113,7 @@ class PlaneMeetings {
 
  private:
   using Records = std::span<const PlaneRecord>;
-  /// The records of one bucket; those of each bin stand together.
+  /// The records of one bucket, those of each bin together, and two that meet nothing.
   struct BucketBins {
     std::vector<PlaneRecord> records;
     std::vector<std::uint32_t> bounds;  ///< of each bin in it
@@ -131,8 +131,13 @@ class PlaneMeetings {
     std::uint64_t met_by(const PlaneRecord& row) const;
   };
 
+  /// Of a record: the bits of its plane's place in the window below those of its bucket.
+  auto bin_of() const {
+    return [factor = window_.count << bucket_bits_, shift = bin_shift_](const PlaneRecord& record) {
+      return record.plane * factor >> shift;
+    };
+  }
   void count_bucket(std::size_t bucket);
-  std::size_t bin_of(const PlaneRecord& record) const;
   void into_bins(std::size_t bucket, BucketBins& bins) const;
   void count_crossings(std::size_t bucket);
   void count_crowded();

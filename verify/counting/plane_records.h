@@ -106,6 +106,7 @@ class RecordBuckets {
     // A chunk ends at a multiple of its size, and so does the null pointer.
     if (reinterpret_cast<std::uintptr_t>(end) % sizeof(Chunk) == 0) end = append_chunk(bucket);
     *end++ = record;
+    __builtin_prefetch(end + 4, 1);
   }
   std::size_t size_of(std::size_t bucket) const {
     const Chain& chain = chains_[bucket];
@@ -119,7 +120,13 @@ class RecordBuckets {
     for (const Chunk* chunk = chain.first; chunk != nullptr; chunk = chunk->next) {
       const PlaneRecord* const begin = chunk->records.data();
       const PlaneRecord* const end = chunk == chain.last ? ends_[bucket] : begin + kRecords;
-      for (const PlaneRecord* record = begin; record != end; ++record) visit(*record);
+      const auto address = [](const void* p) { return reinterpret_cast<std::uintptr_t>(p); };
+      for (const PlaneRecord* record = begin; record != end; ++record) {
+        // The next chunk is wherever there was room when this one was full.
+        const auto same_in_next = address(chunk->next) + (address(record) - address(chunk));
+        __builtin_prefetch(reinterpret_cast<const void*>(same_in_next));
+        visit(*record);
+      }
     }
   }
 

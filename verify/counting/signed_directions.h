@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -39,11 +40,17 @@ class SignedDirections {
       unit = product > 0 ? axis : -axis;
     }
     if (directions_.size() == kMaxIndices || find(direction).known) return;
+    const auto twos = static_cast<unsigned>(std::countr_zero(static_cast<std::uint64_t>(step)));
+    const auto odd = static_cast<std::uint64_t>(step >> twos);
+    std::uint64_t inverse = odd;  // in 3 bits; each of Newton's steps doubles them
+    for (int i = 0; i < 5; ++i) inverse *= 2 - odd * inverse;
     const auto id = static_cast<std::uint8_t>(2 * directions_.size());
     directions_.push_back(direction);
-    classes_[sense(direction)].push_back({direction, unit, step, id});
-    classes_[sense(-direction)].push_back(
-        {-direction, -unit, step, static_cast<std::uint8_t>(id + 1)});
+    for (const bool reversed : {false, true}) {
+      const std::int64_t sign = reversed ? -1 : 1;
+      classes_[sense(sign * direction)].push_back(
+          {sign * direction, sign * unit, twos, inverse, static_cast<std::uint8_t>(id + reversed)});
+    }
   }
   /// The zero vector is not known. @pre d's components are below 2^31 in absolute value.
   Found find(Vector d) const {
@@ -51,8 +58,10 @@ class SignedDirections {
       // A primitive vector steps along all its multiples; products are below 2^31 * 2^20.
       const Vector unit = known.unit;
       const std::int64_t length = d.x * unit.x + d.y * unit.y + d.z * unit.z;
-      const std::int64_t steps = known.step == 1 ? length : length / known.step;
-      if (steps <= 0 || steps * known.direction != d) continue;
+      // If the length is a multiple of the step, this divides them; if not, d is another vector.
+      const auto steps = static_cast<std::int64_t>(
+          (static_cast<std::uint64_t>(length) >> known.twos) * known.inverse);
+      if (steps <= 0 || steps >> 31 != 0 || steps * known.direction != d) continue;
       return {true, known.id, static_cast<std::int32_t>(steps)};
     }
     return {};
@@ -68,8 +77,9 @@ class SignedDirections {
  private:
   struct Known {
     Vector direction;
-    Vector unit;        ///< of length 1 along an axis, with
-    std::int64_t step;  ///< the direction's smallest product with one that is not 0
+    Vector unit;  ///< of length 1 along an axis; the direction's smallest product is the step
+    unsigned twos;          ///< factors 2 of the step
+    std::uint64_t inverse;  ///< of its odd part, modulo 2^64
     std::uint8_t id;
   };
 

@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "ar3d/verify/metrics/closest_pair.h"
-#include "ar3d/verify/predicates/functional.h"
 
 namespace ar3d::verify {
 
 SummaryPass::SummaryPass(const Drawing& drawing, bool lengths)
-    : drawing_(drawing), lengths_(lengths), has_right_angles_(is_diagonal(drawing.lattice())) {
+    : drawing_(drawing), lengths_(lengths) {
   add_vertices(0, static_cast<Vertex>(drawing.num_vertices()));
   if (lengths_) summary_.total_edge_length = summary_.longest_edge_length = 0;
 }
@@ -43,19 +42,12 @@ void SummaryPass::absorb(const SummaryPass& other) {
   box_.add(other.box_.high());
 }
 
-/// approximate_length(), but at once where the axes are at right angles.
-double SummaryPass::length_of(Vector d) const {
-  const Lattice& lattice = drawing_.lattice();
-  if (!has_right_angles_) return approximate_length(lattice, d);
-  const auto term = [&](std::int64_t c, std::size_t axis) {
-    return static_cast<double>(c) * lattice.gram[axis][axis] * static_cast<double>(c);
-  };
-  return std::sqrt((term(d.x, 0) + term(d.y, 1) + term(d.z, 2)) / lattice.gram_denominator);
-}
-
 void SummaryPass::add_lengths(const std::vector<Point>& points) {
+  const Lattice& lattice = drawing_.lattice();
   double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += length_of(points[i] - points[i - 1]);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += approximate_length(lattice, points[i] - points[i - 1]);
+  }
   summary_.total_edge_length += length;
   summary_.longest_edge_length = std::max(summary_.longest_edge_length, length);
 }

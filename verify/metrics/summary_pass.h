@@ -26,14 +26,12 @@ class SummaryPass {
   DrawingSummary finish();
 
  private:
-  double length_of(Vector d) const;
   void add_lengths(const std::vector<Point>& points);
   void set_relative_volume();
   bool in_range() const { return ar3d::in_range(box_.low()) && ar3d::in_range(box_.high()); }
 
   const Drawing& drawing_;
   const bool lengths_;
-  const bool has_right_angles_ = false;  ///< between the axes
   GrowingBox box_;
   DrawingSummary summary_;
 };

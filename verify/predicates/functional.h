@@ -45,11 +45,6 @@ inline Vector plane_normal(Vector a, Vector b) {
 /// Some axis along which v is not zero, for v != 0.
 inline std::size_t leading_axis(Vector v) { return v.x != 0 ? 0 : v.y != 0 ? 1 : 2; }
 
-inline bool is_diagonal(const Lattice& lattice) {
-  const auto& g = lattice.gram;
-  return (g[0][1] | g[0][2] | g[1][0] | g[1][2] | g[2][0] | g[2][1]) == 0;
-}
-
 /// d^T gram d, in a type in which no term wraps.
 template <class Integer>
 Integer squared_length(const Lattice& lattice, Vector d) {
