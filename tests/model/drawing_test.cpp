@@ -51,6 +51,29 @@ TEST(Drawing, HashTellsApartWhatIsDrawnAndNothingElse) {
   EXPECT_NE(drawing_hash(one_edge({0, 0, 0}, {{1, 1, 1}}, {3, 3, 1})), hash);
 }
 
+TEST(Drawing, HashIsThatOfItsNumbersOneByOne) {
+  for (const std::int64_t bends : {0, 1, 168, 169, 170, 171, 500}) {  // 4096 bytes, less and more
+    std::vector<Point> points{{1, 2, 3}};
+    for (std::int64_t i = 0; i < bends; ++i) points.push_back({i, -i, 2 * i});
+    points.push_back({-7, 8, 9});
+    HashStream hash;
+    for (const std::int64_t entry : {1, 0, 0, 0, 1, 0, 0, 0, 1}) hash.put(entry);
+    hash.put(std::int64_t{1});   // the denominator
+    hash.put(std::uint64_t{2});  // vertices
+    for (const Point p : {points.front(), points.back()}) {
+      for (const std::int64_t c : {p.x, p.y, p.z}) hash.put(c);
+    }
+    hash.put(std::uint32_t{0});
+    hash.put(std::uint32_t{1});
+    hash.put(std::uint64_t{points.size()});
+    for (const Point p : points) {
+      for (const std::int64_t c : {p.x, p.y, p.z}) hash.put(c);
+    }
+    const std::vector<Point> inner(points.begin() + 1, points.end() - 1);
+    EXPECT_EQ(drawing_hash(one_edge(points.front(), inner, points.back())), hash.digest()) << bends;
+  }
+}
+
 TEST(Drawing, PolylinesInBlocksAreThoseOneByOne) {
   for (const std::size_t edges : {0u, 1u, 31u, 32u, 33u, 100u}) {
     Coordinates vertices(edges + 1, 1000);

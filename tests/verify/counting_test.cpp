@@ -9,6 +9,7 @@
 #include "ar3d/verify/crossings/segments.h"
 #include "ar3d/verify/examination.h"
 #include "ar3d/verify/predicates/exact.h"
+#include "ar3d/verify/predicates/functional.h"
 #include "verify/counted_pairs.h"
 #include "verify/random_drafts.h"
 
@@ -213,6 +214,49 @@ TEST(Counting, EdgesMayBeDrawnInAnyOrder) {
   draft.edges.erase(draft.edges.begin() + 1);
   const Graph graph(4, {{2, 3}, {1, 2}, {0, 3}, {0, 1}});
   EXPECT_FALSE(certify(graph, draft.drawing(), no_promise()).valid());
+}
+
+/// The oracle of SignedDirections::find(): the quotient of each component.
+verify::SignedDirections::Found found_by_division(const verify::SignedDirections& directions,
+                                                  Vector d) {
+  for (std::size_t id = 0; id < 2 * directions.indices(); ++id) {
+    const Vector unit = directions.of_id(id);
+    const std::size_t axis = verify::leading_axis(unit);
+    const std::int64_t steps = verify::component(d, axis) / verify::component(unit, axis);
+    if (steps <= 0 || steps * unit != d) continue;
+    return {true, static_cast<std::uint8_t>(id), static_cast<std::int32_t>(steps)};
+  }
+  return {};
+}
+
+TEST(Counting, StepsAlongADirectionAreThoseOfADivision) {
+  RandomStream random(7, 9);
+  const auto below = [&](std::uint32_t n) { return std::int64_t{random.below(n)}; };
+  int known = 0, unknown = 0;
+  for (int i = 0; i < 400; ++i) {
+    verify::SignedDirections directions;
+    const std::uint32_t side = i % 2 == 0 ? 13 : 1u << 20;  // no step of 1 in most
+    std::vector<Vector> units;
+    for (int k = 0; k < 6; ++k) {
+      units.push_back({below(side), below(side) - below(side), below(side) - 1});
+      if (units.back() == Vector{}) units.back().z = 6;
+      directions.add(units.back());
+    }
+    for (std::size_t k = 0; k < 60; ++k) {
+      const std::int64_t steps = below(2047) - 1023;
+      Vector d = steps * primitive(units[k % 6]);
+      if (k % 4 == 0) d.x += below(3) - 1;
+      const auto got = directions.find(d);
+      const auto wanted = found_by_division(directions, d);
+      ASSERT_EQ(got.known, wanted.known) << to_string(d);
+      ++(got.known ? known : unknown);
+      if (!got.known) continue;
+      ASSERT_EQ(got.id, wanted.id) << to_string(d);
+      ASSERT_EQ(got.steps, wanted.steps) << to_string(d);
+    }
+  }
+  EXPECT_GT(known, 10000);
+  EXPECT_GT(unknown, 1000);
 }
 
 TEST(Counting, AnotherGraphIsNotDrawn) {

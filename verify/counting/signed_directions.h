@@ -77,7 +77,7 @@ class SignedDirections {
  private:
   struct Known {
     Vector direction;
-    Vector unit;  ///< of length 1 along an axis; the direction's smallest product is the step
+    Vector unit;            ///< along an axis; its product with the direction is the step
     unsigned twos;          ///< factors 2 of the step
     std::uint64_t inverse;  ///< of its odd part, modulo 2^64
     std::uint8_t id;
