@@ -191,8 +191,10 @@ class KnownOptima(Program):
 
     def test_of_all_small_graphs_are_there(self):
         closed = collections.Counter((row["set"], row["n"]) for row in self.rows() if row["at_least"] == row["volume"])
-        for name, counts in {"109-small-3": [1, 2, 6, 21], "109-small-5": [1, 2, 6, 21], "120-small-3": [1, 2, 6, 10]}.items():
+        for name, counts in {"109-small-3": [1, 2, 6, 21], "109-small-5": [1, 2, 6, 21], "120-small-3": [1, 2, 6, 10],
+                             "120-small-5": [1, 2, 6, 10]}.items():
             self.assertEqual([closed[name, str(n)] for n in (2, 3, 4, 5)], counts)
+        self.assertEqual([closed["120-six-3", "6"], closed["109-named-3", "6"], closed["109-named-3", "8"]], [19, 3, 1])
 
     def test_shrink_with_edges_taken_away_and_with_more_bends(self):
         rows = [row for row in self.rows() if row["volume"]]
