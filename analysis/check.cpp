@@ -6,7 +6,7 @@
 
 #include <tuple>
 
-#include "ar3d/analysis/replay.h"
+#include "ar3d/analysis/tally.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/store/columns/run_columns.h"
 

@@ -1,8 +1,8 @@
 // The shell line that draws a row again. Names and options come from results files, which anybody
 // may have written, so every word is quoted for the shell.
-#include "ar3d/analysis/replay.h"
-
 #include <fmt/format.h>
+
+#include "ar3d/analysis/tally.h"
 
 namespace ar3d {
 namespace {

@@ -17,18 +17,17 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/bench/replay/count_instructions.h"
+#include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"
-#include "report_page.h"
+#include "study_rows.h"
 
 namespace ar3d {
 namespace {

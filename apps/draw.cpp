@@ -24,7 +24,6 @@
 #include "drawing_summary.h"
 #include "options.h"
 #include "outputs.h"
-#include "several_inputs.h"
 
 namespace ar3d {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/real_points.h"
-#include "ar3d/verify/angles.h"
 #include "ar3d/verify/metrics/volume_bound.h"
 
 namespace ar3d {

@@ -17,7 +17,7 @@
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/generators/named.h"
+#include "ar3d/generators/families.h"
 #include "ar3d/model/settings.h"
 #include "commands.h"
 #include "options.h"

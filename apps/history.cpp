@@ -14,7 +14,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/bench/compare/commits.h"
+#include "ar3d/bench/compare/interleave.h"
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"

@@ -1,23 +1,13 @@
 // `ar3d hunt` and `ar3d shrink`: graphs whose drawings come close to a bound, or break it.
-#include "ar3d/bench/search/hunt.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
-#include <memory>
-#include <optional>
+#include "hunt.h"
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/bench/replay/replay_row.h"
-#include "ar3d/bench/search/trial.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/graphs/graph6.h"
-#include "ar3d/model/settings.h"
 #include "commands.h"
-#include "hunt.h"
-#include "options.h"
-#include "outputs.h"
 #include "study.h"
 #include "view.h"
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "ar3d/bench/search/hunt.h"
-#include "ar3d/bench/search/trial.h"
 #include "options.h"
 #include "outputs.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "ar3d/base/new_file.h"
+#include "ar3d/formats/drawings/drawing_exports.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/formats/drawings/drawing_svg.h"
 #include "ar3d/formats/graphs/graph6.h"
 #include "commands.h"
 #include "hunt.h"

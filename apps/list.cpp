@@ -13,7 +13,7 @@
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/generators/named.h"
+#include "ar3d/generators/families.h"
 #include "ar3d/verify/metrics/metrics.h"
 #include "commands.h"
 #include "options.h"

@@ -21,10 +21,10 @@
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/graphs/graph6.h"
 #include "ar3d/optimum/smallest_box.h"
+#include "batches.h"
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"
-#include "several_inputs.h"
 
 namespace ar3d {
 namespace {

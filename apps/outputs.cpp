@@ -13,7 +13,7 @@
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/keep/study_files.h"
-#include "ar3d/bench/plan/corpora.h"
+#include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/catalog.h"

@@ -5,7 +5,6 @@
 
 #include <charconv>
 #include <string_view>
-#include <vector>
 
 #include "ar3d/base/error.h"
 #include "options.h"

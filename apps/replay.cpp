@@ -12,7 +12,7 @@
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/replay/replay_row.h"
-#include "ar3d/bench/run/describe_study.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/rows.h"

@@ -6,7 +6,6 @@
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"
-#include "report_page.h"
 #include "study_rows.h"
 
 namespace ar3d {

@@ -1,16 +1,15 @@
 // What a report shows beside its study: what changed since a reference, and drawings made again.
-#include "report_page.h"
-
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <set>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/bench/compare/commits.h"
+#include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/formats/drawings/drawing_html.h"
-#include "ar3d/formats/drawings/packed_geometry.h"
+#include "ar3d/formats/drawings/edge_roles.h"
+#include "study_rows.h"
 #include "view.h"
 
 namespace ar3d {

@@ -3,20 +3,13 @@
 
 #include <fmt/ranges.h>
 
-#include <set>
-
 #include "ar3d/analysis/report/report.h"
-#include "ar3d/base/printable.h"
-#include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/processes.h"
-#include "ar3d/bench/plan/corpora.h"
-#include "ar3d/bench/replay/count_instructions.h"
-#include "ar3d/bench/run/describe_study.h"
+#include "ar3d/bench/replay/replay_row.h"
 #include "commands.h"
 #include "outputs.h"
-#include "report_page.h"
 #include "study_rows.h"
 
 namespace ar3d {

@@ -12,7 +12,6 @@
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/processes.h"
-#include "ar3d/bench/replay/count_instructions.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/row_maker.h"
 #include "ar3d/formats/drawings/catalog.h"

@@ -7,8 +7,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "ar3d/base/printable.h"
-#include "ar3d/bench/keep/gather_rows.h"
+#include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/journal/journal_reader.h"

@@ -23,7 +23,6 @@
 #include "commands.h"
 #include "options.h"
 #include "promise.h"
-#include "several_inputs.h"
 #include "view.h"
 
 namespace ar3d {

@@ -5,10 +5,10 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
+#include "batches.h"
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"
-#include "several_inputs.h"
 
 namespace ar3d {
 namespace {

@@ -1,13 +1,10 @@
 // Small dense graphs, what is glued together from them, and their disjoint unions: each forces a
 // special case of some drawer, as its comment in the header says.
-#include "ar3d/generators/blocks.h"
-
 #include <array>
 #include <bit>
 
 #include "ar3d/base/random.h"
-#include "ar3d/generators/rings.h"
-#include "ar3d/generators/trees.h"
+#include "ar3d/generators/families.h"
 
 namespace ar3d {
 

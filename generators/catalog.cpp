@@ -8,15 +8,9 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/open_table.h"
-#include "ar3d/generators/blocks.h"
-#include "ar3d/generators/lattices.h"
-#include "ar3d/generators/named.h"
-#include "ar3d/generators/polyhedra.h"
+#include "ar3d/generators/families.h"
 #include "ar3d/generators/random_graphs.h"
-#include "ar3d/generators/rings.h"
 #include "ar3d/generators/sizes.h"
-#include "ar3d/generators/snarks.h"
-#include "ar3d/generators/trees.h"
 
 namespace ar3d {
 namespace {

@@ -1,8 +1,8 @@
 // Pieces of lattices. The diamond lattice and the Laves graph are grown breadth-first from the
 // origin, with a hash table of points: their own straight drawing is the optimum to compare with.
-#include "ar3d/generators/lattices.h"
-
 #include <unordered_map>
+
+#include "ar3d/generators/families.h"
 
 namespace ar3d {
 

@@ -1,18 +1,13 @@
 // Graphs with names of their own, most in LCF notation (Lederberg, Coxeter and Frucht), whose
 // chords lcf_graph() checks from both ends: a wrong number of a table is found when the graph is
 // made.
-#include "ar3d/generators/named.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/blocks.h"
-#include "ar3d/generators/lattices.h"
-#include "ar3d/generators/polyhedra.h"
-#include "ar3d/generators/rings.h"
-#include "ar3d/generators/snarks.h"
+#include "ar3d/generators/families.h"
 
 namespace ar3d {
 namespace {

@@ -1,7 +1,6 @@
 // Planar cubic graphs. The fullerenes are the duals of triangulated icosahedra (Goldberg 1937,
 // Coxeter 1971): every triangle gets one name for each of its corners in exact integers, and equal
 // sides are matched by sorting, so no table of the faces' seams is needed.
-#include "ar3d/generators/polyhedra.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +10,7 @@
 #include <tuple>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/blocks.h"
+#include "ar3d/generators/families.h"
 
 namespace ar3d {
 namespace {

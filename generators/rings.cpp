@@ -1,9 +1,8 @@
 // Paths, cycles, and cycles joined by rungs, chords, spokes or claws.
-#include "ar3d/generators/rings.h"
-
 #include <fmt/format.h>
 
 #include "ar3d/base/error.h"
+#include "ar3d/generators/families.h"
 
 namespace ar3d {
 

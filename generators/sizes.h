@@ -9,9 +9,8 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/generators/polyhedra.h"
+#include "ar3d/generators/families.h"
 #include "ar3d/generators/random_graphs.h"
-#include "ar3d/generators/trees.h"
 
 namespace ar3d {
 

@@ -1,6 +1,5 @@
 // Cubic graphs without bridges and without a 3-edge-colouring, given by a piece and how its copies
 // are joined: those of a Blanusa snark by Isaacs' dot product (1975).
-#include "ar3d/generators/snarks.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +7,7 @@
 #include <iterator>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/rings.h"
+#include "ar3d/generators/families.h"
 
 namespace ar3d {
 namespace {

@@ -1,13 +1,12 @@
 // Trees, and cubic graphs whose bridges form a tree that ends in leaf blocks: by Sylvester (1883)
 // these have no perfect matching once three odd blocks meet.
-#include "ar3d/generators/trees.h"
-
 #include <fmt/format.h>
 
 #include <numeric>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
+#include "ar3d/generators/families.h"
 
 namespace ar3d {
 namespace {

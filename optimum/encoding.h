@@ -1,13 +1,31 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "ar3d/model/drawing.h"
+#include "ar3d/model/graph.h"
 #include "ar3d/optimum/formula.h"
-#include "ar3d/optimum/point_class.h"
+#include "ar3d/optimum/question.h"
 
 namespace ar3d::optimum {
+
+/// Holds the points of a box that one connected drawing can visit (Lemma O.1). Steps are numbered
+/// as steps_of() gives them.
+struct PointClass {
+  BoxSize box{};
+  int number = 0;                            ///< of the class: 0 to 3, or 0 to 1
+  std::vector<std::array<int, 3>> points;    ///< ascending
+  std::vector<std::vector<int>> neighbours;  ///< [point][step], -1 outside of the box
+  /// Images of all points under each symmetry of the box that keeps the class (and the z axis if
+  /// vertices are in a plane), except the identity.
+  std::vector<std::vector<int>> symmetries;
+};
+
+/// Returns the classes of a box, none the image of another under a symmetry of the box. The plane
+/// of a question with one is across the z axis. O(points * 48).
+std::vector<PointClass> point_classes(const Question& question, const BoxSize& box);
 
 /// The formula that says "the graph has a drawing on the points of this class": it is satisfiable
 /// if there is one (Lemmas O.4 and O.7), and decode() turns a model into one.
@@ -68,5 +86,9 @@ class Encoding {
   Row is_vertex_;       // [point]
   std::vector<Table> leaves_;  // [edge][end][step]: the edge leaves its end so
 };
+
+/// Returns the pairs (i, j), i < j, such that an automorphism of the graph fixes 0, ..., i - 1 and
+/// maps i to j. Exponential in the worst case; the graph is connected and small.
+std::vector<std::pair<Vertex, Vertex>> orbit_pairs(const Graph& graph);
 
 }  // namespace ar3d::optimum

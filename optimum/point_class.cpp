@@ -1,10 +1,10 @@
 // The points that a drawing can visit, and the symmetries of the box that map them to each other
 // (Lemmas O.1 and O.5).
-#include "ar3d/optimum/point_class.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
+
+#include "ar3d/optimum/encoding.h"
 
 namespace ar3d::optimum {
 namespace {

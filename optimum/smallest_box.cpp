@@ -6,7 +6,6 @@
 #include <unistd.h>
 #include <xxhash.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <iterator>
@@ -14,7 +13,6 @@
 #include <set>
 #include <tuple>
 
-#include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/optimum/encoding.h"
 #include "ar3d/verify/certificate.h"

@@ -24,7 +24,7 @@
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/drawings/embedding.h"
-#include "ar3d/formats/graphs/list_rows.h"
+#include "ar3d/formats/graphs/list_graph.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/certificate.h"
 

@@ -4,12 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <variant>
 
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/hdf5/results_file.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
-#include "ar3d/store/columns/row_key.h"
 #include "ar3d/store/columns/side_tables.h"
+#include "ar3d/store/columns/study_identity.h"
 
 namespace ar3d {
 

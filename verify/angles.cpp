@@ -1,11 +1,10 @@
 // Measures the angles of a drawing. Doubles decide what is far from the optimum, and exact integers
 // decide the rest; a valid certificate of one exact angle spares both.
-#include "ar3d/verify/angles.h"
-
 #include <cmath>
 #include <numbers>
 
 #include "ar3d/model/cosine_comparison.h"
+#include "ar3d/verify/examination.h"
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d {

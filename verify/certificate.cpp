@@ -10,10 +10,8 @@
 #include "ar3d/base/printable.h"
 #include "ar3d/model/real_points.h"
 #include "ar3d/verify/checks/checks.h"
-#include "ar3d/verify/counting/column_proof.h"
 #include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/crossings/contacts.h"
-#include "ar3d/verify/crossings/segments.h"
 #include "ar3d/verify/examination.h"
 #include "ar3d/verify/metrics/summary_pass.h"
 

@@ -1,7 +1,7 @@
 // The table of words (docs/compact-120.md, "The edges") and what follows from it: forced long
 // lengths, the middle line, the five bends. That lines of different letters never meet (Lemmas D.4
 // and D.5) is a matter of this table and of the places of the classes alone. O(1) each.
-#include "ar3d/algorithms/compact_120/words.h"
+#include "ar3d/algorithms/compact_120/strip.h"
 
 namespace ar3d::compact_120 {
 namespace {

@@ -8,7 +8,6 @@
 #include "ar3d/algorithms/efforts.h"
 #include "ar3d/algorithms/grid/order.h"
 #include "ar3d/algorithms/grid/planes.h"
-#include "ar3d/algorithms/grid/routes.h"
 
 namespace ar3d::grid {
 namespace {

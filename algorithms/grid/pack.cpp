@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "ar3d/algorithms/grid/planes.h"
-#include "ar3d/algorithms/grid/routes.h"
 #include "ar3d/base/error.h"
 #include "ar3d/model/drawing.h"
 

@@ -1,7 +1,7 @@
 // Step 3.8, Lemma 3.2. Three bends from two labels, two ends and a slot, as in the figure of
 // docs/theorem3.md. Residues modulo 3 keep routes of different planes apart (Lemma 3.3). Bends are
 // computed when they are read, in O(1) for edges without a slot.
-#include "ar3d/algorithms/grid/routes.h"
+#include "ar3d/algorithms/grid/planes.h"
 
 namespace ar3d::grid {
 namespace {

@@ -5,7 +5,6 @@
 #include "ar3d/algorithms/grid_paper/grid_paper.h"
 
 #include "ar3d/algorithms/grid_paper/builder.h"
-#include "ar3d/algorithms/grid_paper/growth.h"
 
 namespace ar3d::grid_paper {
 namespace {

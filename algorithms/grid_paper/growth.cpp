@@ -3,11 +3,10 @@
 // vertex only get longer: lengths found stay lower bounds, and only the vertex with the least one
 // is searched from, no further than twice that. Searching from every vertex takes n^2 in all. Cost:
 // a search, O(n) at worst, for every change of a bound; else O(n log n).
-#include "ar3d/algorithms/grid_paper/growth.h"
-
 #include <deque>
 #include <queue>
 
+#include "ar3d/algorithms/grid_paper/builder.h"
 #include "ar3d/algorithms/shortest_cycle.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"

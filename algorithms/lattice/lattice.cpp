@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <unordered_set>
 
-#include "ar3d/algorithms/lattice/embedding.h"
 #include "ar3d/base/error.h"
 #include "ar3d/model/boost_graph.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ar3d/algorithms/algorithm.h"
-#include "ar3d/algorithms/lattice/net.h"
+#include "ar3d/algorithms/lattice/embedding.h"
 
 namespace ar3d::lattice {
 

@@ -1,10 +1,10 @@
 // Step L.1: the two space-fillers of Figure 1 as tables: which edge vectors a vertex has follows
 // from its coordinates modulo 4. The diamond lattice as in Theorem 1; the Laves graph (Sunada 2008)
 // has eight vertices modulo 4, joined where they are sqrt(2) apart. Each look-up is O(1).
-#include "ar3d/algorithms/lattice/net.h"
-
 #include <algorithm>
 #include <cstdlib>
+
+#include "ar3d/algorithms/lattice/embedding.h"
 
 namespace ar3d::lattice {
 namespace {

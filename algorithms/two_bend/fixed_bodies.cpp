@@ -1,8 +1,7 @@
 // Step 2.1: K4, K3,3 and Q from tables. Their poles cannot have the neighbours that the
 // construction needs. The tables were found by search and are certified like any drawing. Cost:
 // O(1) per body.
-#include "ar3d/algorithms/two_bend/fixed_bodies.h"
-
+#include "ar3d/algorithms/two_bend/slab.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {

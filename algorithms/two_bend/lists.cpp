@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "ar3d/algorithms/two_bend/owner_order.h"
-
 namespace ar3d::two_bend {
 namespace {
 

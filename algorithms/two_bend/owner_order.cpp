@@ -1,11 +1,10 @@
 // Rules 2.1 and 2.2: who stands next to whom, and the order of the rows before anything moves. The
 // light child of a SPLIT lies on its parent's side and the heavy one away from it, so the leans of
 // a tree cost no more than the square of its rows (Lemma 2.17). Cost: O(n).
-#include "ar3d/algorithms/two_bend/owner_order.h"
-
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
 
+#include "ar3d/algorithms/two_bend/lists.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {

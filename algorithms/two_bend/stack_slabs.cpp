@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/slab.h"
 #include "ar3d/base/error.h"
 

@@ -6,7 +6,6 @@
 #include "ar3d/algorithms/two_bend/two_bend.h"
 
 #include "ar3d/algorithms/efforts.h"
-#include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/layout.h"
 #include "ar3d/algorithms/two_bend/lists.h"
 #include "ar3d/algorithms/two_bend/slab.h"

@@ -9,7 +9,6 @@
 
 #include "ar3d/algorithms/two_bend/coordinates.h"
 #include "ar3d/algorithms/two_bend/lists.h"
-#include "ar3d/algorithms/two_bend/owner_order.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {

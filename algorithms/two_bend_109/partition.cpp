@@ -7,15 +7,12 @@
 #include "ar3d/algorithms/two_bend_109/partition.h"
 
 #include <algorithm>
-#include <array>
 #include <deque>
 #include <iterator>
 #include <optional>
-#include <span>
 #include <tuple>
 
 #include "ar3d/base/error.h"
-#include "ar3d/base/long_vector.h"
 
 namespace ar3d::two_bend_109 {
 namespace {

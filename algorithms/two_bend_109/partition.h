@@ -2,12 +2,46 @@
 
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "ar3d/algorithms/two_bend_109/small_bodies.h"
 #include "ar3d/model/graph.h"
+#include "ar3d/model/lattice.h"
 
 namespace ar3d::two_bend_109 {
+
+/// A finished drawing of a small graph, on points of kAxisLattice whose smallest coordinates are 0.
+/// It is crossing-free with two bends per edge, together with an endless ray straight down from
+/// every leg; all angles, also of legs and rays, are at least arccos(-1/3).
+struct SmallBody {
+  struct BodyLink {
+    Vertex u;
+    Vertex v;
+    Point bend_at_u;
+    Point bend_at_v;
+  };
+  /// Holds where an edge to an earlier part leaves vertex v: the segment from v to `end` is its
+  /// last one.
+  struct BodyLeg {
+    Vertex v;
+    Point end;
+  };
+  std::string name;
+  std::int64_t
+      slope;  ///< a ray may lean by one part in `slope` and still meets nothing of the body
+  std::vector<Point> vertices;
+  std::vector<BodyLink> links;
+  std::vector<BodyLeg> legs;  ///< one for every vertex of degree 3
+};
+
+/// K4, W4, K5 - e, K3,3, K3,3 + e, K3,4 and K5: all graphs with degrees 3 and 4 without two
+/// disjoint cycles (Lemma E.1).
+const std::vector<SmallBody>& small_bodies();
+
+/// Returns which body the graph is, null if none, and which vertex plays which of the body's. O(1):
+/// larger graphs are none.
+std::pair<const SmallBody*, std::vector<Vertex>> find_body(const Graph& graph);
 
 enum class PartKind : std::uint8_t {
   single,  ///< one vertex with at most 2 neighbours in later and at most 3 in earlier parts

@@ -3,13 +3,12 @@
 // point, and so on until nothing meets. Lemma E.5 counts how few points are closed, so at the scale
 // LayoutScale::always_enough() this ends, and a smaller square fails by an answer, never by a wrong
 // drawing. Cost: O(n) and owners_that_meet(), once in most drawings.
-#include "ar3d/algorithms/two_bend_109/placement.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
+#include "ar3d/algorithms/two_bend_109/layout.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
 

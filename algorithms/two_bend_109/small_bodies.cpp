@@ -2,7 +2,7 @@
 // something alive (case (d) of Lemma E.2). Found by least squares over turned tetrahedra, made
 // rational and proved by the verifier (tests/algorithms/two_bend_109_bodies_test.cpp): the tables
 // are data, not a construction. Cost: O(1), as a body has at most 7 vertices.
-#include "ar3d/algorithms/two_bend_109/small_bodies.h"
+#include "ar3d/algorithms/two_bend_109/partition.h"
 
 namespace ar3d::two_bend_109 {
 

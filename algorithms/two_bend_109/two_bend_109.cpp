@@ -9,7 +9,6 @@
 #include "ar3d/algorithms/efforts.h"
 #include "ar3d/algorithms/two_bend_109/layout.h"
 #include "ar3d/algorithms/two_bend_109/partition.h"
-#include "ar3d/algorithms/two_bend_109/placement.h"
 #include "ar3d/algorithms/two_bend_109/slots.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"

@@ -5,7 +5,6 @@
 #include "ar3d/algorithms/two_bend_120/numbering.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace ar3d::two_bend_120 {
 namespace {

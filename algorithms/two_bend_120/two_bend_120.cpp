@@ -5,9 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <boost/container/static_vector.hpp>
-#include <utility>
 
 #include "ar3d/algorithms/two_bend_120/placement.h"
 #include "ar3d/base/error.h"

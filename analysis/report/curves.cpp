@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "ar3d/analysis/report/sections.h"
-#include "ar3d/analysis/scaling/samples.h"
+#include "ar3d/analysis/scaling/scaling.h"
 #include "ar3d/analysis/statistics.h"
 
 namespace ar3d::report {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/report/sections.h"
-#include "ar3d/analysis/scaling/samples.h"
+#include "ar3d/analysis/scaling/scaling.h"
+#include "ar3d/analysis/tally.h"
 
 namespace ar3d::report {
 namespace {

@@ -7,7 +7,6 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include "ar3d/analysis/report/sections.h"
-#include "ar3d/base/printable.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d_page_files.h"
 

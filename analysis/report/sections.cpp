@@ -3,8 +3,6 @@
 
 #include <numbers>
 
-#include "ar3d/analysis/replay.h"
-
 namespace ar3d::report {
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ar3d/analysis/report/sections.h"
-#include "ar3d/analysis/scaling/samples.h"
+#include "ar3d/analysis/scaling/scaling.h"
 
 namespace ar3d::report {
 namespace {

@@ -1,9 +1,8 @@
 // Groups the graphs of a curve by size and chooses the sizes that a fit may use. A size with rows
 // that ended early is left out, because only its fast graphs are there.
-#include "ar3d/analysis/scaling/samples.h"
-
 #include <iterator>
 
+#include "ar3d/analysis/scaling/scaling.h"
 #include "ar3d/analysis/statistics.h"
 
 namespace ar3d {

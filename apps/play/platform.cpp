@@ -13,7 +13,7 @@
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/parallel.h"
 #include "ar3d/formats/graphs/graph_format.h"
-#include "ar3d/formats/text/byte_source.h"
+#include "ar3d/formats/text/text_input.h"
 
 namespace ar3d {
 

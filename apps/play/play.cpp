@@ -17,10 +17,9 @@
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/edge_roles.h"
-#include "ar3d/formats/drawings/packed_geometry.h"
 #include "ar3d/formats/graphs/graph6.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/generators/named.h"
+#include "ar3d/generators/families.h"
 #include "ar3d/model/settings.h"
 #include "view.h"
 

@@ -1,7 +1,5 @@
 // Builds the program of another commit in a worktree beside the checkout. The finished program is
 // put in place whole, so that an interrupted build leaves nothing that a later one would take.
-#include "ar3d/bench/compare/commits.h"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -21,6 +19,7 @@
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
+#include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/measure/processes.h"
 
 namespace ar3d {

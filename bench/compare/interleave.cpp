@@ -4,12 +4,9 @@
 
 #include <boost/scope_exit.hpp>
 #include <csignal>
-#include <filesystem>
 #include <fstream>
 
-#include "ar3d/base/new_file.h"
 #include "ar3d/base/say.h"
-#include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/measure/processes.h"

@@ -7,7 +7,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/formats/text/byte_source.h"
+#include "ar3d/formats/text/text_input.h"
 
 namespace ar3d {
 namespace {

@@ -1,13 +1,12 @@
 // Puts rows from several files into the order of the plan. Parts of different studies, programs or
 // divisions into shards are refused, since their rows would not mean the same.
-#include "ar3d/bench/keep/gather_rows.h"
-
 #include <filesystem>
 
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
-#include "ar3d/bench/run/describe_study.h"
 #include "ar3d/bench/run/row_maker.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/hdf5/results_file.h"
 

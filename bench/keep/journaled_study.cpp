@@ -4,12 +4,7 @@
 #include <boost/scope_exit.hpp>
 
 #include "ar3d/base/printable.h"
-#include "ar3d/bench/keep/gather_rows.h"
-#include "ar3d/bench/keep/study_files.h"
-#include "ar3d/bench/keep/study_log.h"
 #include "ar3d/bench/measure/processes.h"
-#include "ar3d/bench/plan/corpora.h"
-#include "ar3d/bench/run/describe_study.h"
 #include "ar3d/store/journal/journal_reader.h"
 
 namespace ar3d {

@@ -1,15 +1,13 @@
 // The log that the rows of a study go into. It is locked before anything of the study is looked at;
 // a results file without journals becomes one, whole or not at all.
-#include "ar3d/bench/keep/study_log.h"
-
 #include <filesystem>
 
 #include "ar3d/base/parallel.h"
 #include "ar3d/base/say.h"
-#include "ar3d/bench/keep/gather_rows.h"
+#include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/bench/plan/corpora.h"
-#include "ar3d/bench/run/describe_study.h"
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {

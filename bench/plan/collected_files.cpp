@@ -13,7 +13,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/bench/plan/corpora.h"
+#include "ar3d/bench/plan/plan.h"
 #include "ar3d/formats/text/tokens.h"
 #include "ar3d/store/journal/journal_format.h"
 

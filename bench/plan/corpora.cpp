@@ -1,7 +1,5 @@
 // Opens the files of a study whose graphs are instances. Each file is told apart by the hash of its
 // graphs, so that a study that goes on never takes other graphs under an old name.
-#include "ar3d/bench/plan/corpora.h"
-
 #include <glob.h>
 
 #include <filesystem>
@@ -10,6 +8,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/formats/text/tokens.h"
 

@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/plan/corpora.h"
 
 namespace ar3d {
 namespace {

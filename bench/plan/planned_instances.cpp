@@ -12,7 +12,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
 #include "ar3d/bench/corpus/corpus.h"
-#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/generators/random_graphs.h"
 #include "ar3d/store/columns/study_identity.h"

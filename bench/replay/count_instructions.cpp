@@ -2,8 +2,6 @@
 // program starts itself under valgrind with a list of drawings; before each one the heap is put
 // into the same state. A program of the study runs under valgrind itself, which is asked after each
 // answer to write down what it has counted.
-#include "ar3d/bench/replay/count_instructions.h"
-
 #include <malloc.h>
 
 #include <boost/scope_exit.hpp>
@@ -19,6 +17,7 @@
 #include "ar3d/base/say.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/processes.h"
+#include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/row_maker.h"
 #include "ar3d/formats/catalog.h"
 

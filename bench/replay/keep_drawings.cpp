@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-#include "ar3d/bench/plan/corpora.h"
+#include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/row_maker.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"

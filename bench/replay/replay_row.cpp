@@ -3,7 +3,6 @@
 #include "ar3d/bench/replay/replay_row.h"
 
 #include "ar3d/base/random.h"
-#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/run/row_maker.h"
 #include "ar3d/store/columns/run_columns.h"
 

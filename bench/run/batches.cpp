@@ -10,7 +10,7 @@
 #include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/run/execute.h"
-#include "ar3d/bench/run/row_message.h"
+#include "ar3d/bench/run/row_maker.h"
 
 namespace ar3d {
 namespace {

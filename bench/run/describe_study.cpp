@@ -1,7 +1,5 @@
 // Collects what a results file says besides its rows. The hash of every foreign program is
 // recorded, since rows of a changed program must not stand beside those of the old one.
-#include "ar3d/bench/run/describe_study.h"
-
 #include <fmt/chrono.h>
 
 #include <algorithm>
@@ -11,8 +9,8 @@
 
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/formats/graphs/graph6.h"
 
 namespace ar3d {

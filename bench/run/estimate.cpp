@@ -6,7 +6,6 @@
 
 #include <fstream>
 #include <new>
-#include <set>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/system_calls.h"

@@ -2,13 +2,14 @@
 // whatever goes wrong becomes the status and message of the row.
 #include "ar3d/bench/run/row_maker.h"
 
+#include <xxhash.h>
+
 #include <new>
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/verify/angles.h"
 #include "ar3d/verify/examination.h"
 
 namespace ar3d {
@@ -117,6 +118,12 @@ void mark_if_not_storable(RunRecord& run) {
   if (attempt(run, [&] { record_of(run); })) return;
   run.status = RunStatus::crashed;
   run.counters.clear();
+}
+
+constexpr std::size_t kHead = sizeof(std::uint64_t);  // of a row on its way: the checksum
+
+std::uint64_t checksum_of(std::string_view message) {
+  return XXH3_64bits(message.data() + kHead, message.size() - kHead);
 }
 
 }  // namespace
@@ -297,6 +304,26 @@ void take_over_certificate(const RunRecord& certified, RunRecord& run) {
     return;
   }
   take_results(certified, run);
+}
+
+std::size_t row_message_size() { return kHead + 1 + run_record_size(); }
+
+std::string row_message(char tag, const RunRecord& row) {
+  std::string message(row_message_size(), '\0');
+  message[kHead] = tag;
+  store_record(row, message.data() + kHead + 1);
+  const std::uint64_t checksum = checksum_of(message);
+  std::memcpy(message.data(), &checksum, kHead);
+  return message;
+}
+
+std::optional<char> read_row_message(std::string_view bytes, RunRecord& row) {
+  std::uint64_t checksum = 0;
+  if (bytes.size() != row_message_size()) return std::nullopt;
+  std::memcpy(&checksum, bytes.data(), kHead);
+  if (checksum != checksum_of(bytes)) return std::nullopt;
+  row = load_record(bytes.data() + kHead + 1);
+  return bytes[kHead];
 }
 
 }  // namespace ar3d

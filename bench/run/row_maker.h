@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/measure/instruments.h"
@@ -83,5 +85,13 @@ bool is_drawn(const RunRecord& run);
 /// Gives an uncertified row the verdict and the metrics of a certified one of the same drawing.
 /// A row that is not ok stays as it is; one of another drawing becomes `crashed`.
 void take_over_certificate(const RunRecord& certified, RunRecord& run);
+
+/// Returns a row as one process sends it to another: checksum, tag and record. The checksum tells
+/// it from what a program under test writes into descriptors that are not its own.
+std::string row_message(char tag, const RunRecord& row);
+/// Returns the number of its bytes, the same for every row.
+std::size_t row_message_size();
+/// Reads such bytes into `row`. @return the tag; nothing if they are no message.
+std::optional<char> read_row_message(std::string_view bytes, RunRecord& row);
 
 }  // namespace ar3d

@@ -22,7 +22,7 @@
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/execute.h"
-#include "ar3d/bench/run/row_message.h"
+#include "ar3d/bench/run/row_maker.h"
 
 namespace ar3d {
 namespace {

@@ -2,7 +2,6 @@
 // graph while a property holds (delta debugging).
 #include "ar3d/bench/search/hunt.h"
 
-#include <chrono>
 #include <numeric>
 
 #include "ar3d/base/error.h"

@@ -1,13 +1,12 @@
 // Draws and judges one graph of a search. Seeded faults break finished drawings on purpose; with
 // them tests show that searching and shrinking find what they should.
-#include "ar3d/bench/search/trial.h"
-
 #include <fmt/ranges.h>
 
 #include <functional>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
+#include "ar3d/bench/search/hunt.h"
 
 namespace ar3d {
 

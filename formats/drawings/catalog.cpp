@@ -4,7 +4,6 @@
 #include "ar3d/base/open_table.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_exports.h"
-#include "ar3d/formats/drawings/drawing_svg.h"
 
 namespace ar3d {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "ar3d/formats/drawings/packed_geometry.h"
 #include "ar3d_viewer.h"
 
 namespace ar3d {

@@ -37,7 +37,7 @@ inline constexpr const char* kViewerMark = "<meta name=\"generator\" content=\"a
 struct PageEntry {
   std::string title;
   std::string about;          ///< JSON, without a '<'
-  std::string geometry = {};  ///< packed_geometry.h; empty: not drawn
+  std::string geometry = {};  ///< edge_roles.h; empty: not drawn
   std::uint64_t points = 0;   ///< vertices and bends
   Point low = {};             ///< corner of the box, from which the geometry counts
 };
@@ -61,7 +61,7 @@ void require_page_points(std::uint64_t points, const std::string& title);
 std::string viewer_script_hashes();
 
 /// One HTML page that shows drawings in 3D, to be opened from disk without a network: geometry
-/// (packed_geometry.h), the viewer's scripts (viewer/) and three.js. It begins with its first
+/// (edge_roles.h), the viewer's scripts (viewer/) and three.js. It begins with its first
 /// drawing, or with that of the attribute data-page of its body, from 0.
 class ViewerPage {
  public:

@@ -1,5 +1,4 @@
 // The strokes of a projection as SVG and as TikZ.
-#include "ar3d/formats/drawings/drawing_svg.h"
 
 #include <fmt/format.h>
 

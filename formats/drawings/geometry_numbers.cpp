@@ -1,5 +1,5 @@
 // Differences of successive points as integers of 7 bits a byte.
-#include "ar3d/formats/drawings/packed_geometry.h"
+#include "ar3d/formats/drawings/edge_roles.h"
 
 namespace ar3d {
 

@@ -1,12 +1,11 @@
 // Bytes deflated, as text: the geometry of a drawing then takes a tenth of the same numbers as JSON.
-#include "ar3d/formats/drawings/packed_geometry.h"
-
 #include <zlib.h>
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 
 #include "ar3d/base/error.h"
+#include "ar3d/formats/drawings/edge_roles.h"
 
 namespace ar3d {
 

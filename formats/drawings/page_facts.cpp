@@ -9,7 +9,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/drawing_html.h"
 #include "ar3d/formats/drawings/edge_roles.h"
-#include "ar3d/formats/drawings/packed_geometry.h"
 
 namespace ar3d {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "ar3d/formats/graphs/arc_collector.h"
 #include "ar3d/formats/graphs/edge_collector.h"
-#include "ar3d/formats/graphs/list_rows.h"
+#include "ar3d/formats/graphs/list_graph.h"
 #include "ar3d/formats/graphs/plain_lines.h"
 #include "ar3d/formats/graphs/word_text.h"
 #include "ar3d/formats/text/output.h"

@@ -2,8 +2,6 @@
 // as they nearly always come, and then read in step.
 #include "ar3d/formats/graphs/arc_collector.h"
 
-#include <utility>
-
 namespace ar3d {
 namespace {
 

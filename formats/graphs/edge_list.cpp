@@ -1,4 +1,4 @@
-// Lists of edges, one a line, as words or as the columns of a table (list_rows.h). A line "# vertices N"
+// Lists of edges, one a line, as words or as the columns of a table (list_graph.h). A line "# vertices N"
 // begins a graph with N vertices, ids from 0; a list without it is read as a whole before it is
 // decided whether its ids are numbers, from which one they count, and whether its first line is an
 // edge. Reference: networkx (read_edgelist) and igraph (ncol) for words, pandas (read_csv) for tables.

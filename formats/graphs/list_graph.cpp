@@ -3,11 +3,6 @@
 // that fit are refused with the options that choose, and what is assumed is noted.
 #include "ar3d/formats/graphs/list_graph.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <limits>
-
 #include "ar3d/base/error.h"
 
 namespace ar3d {

@@ -1,8 +1,6 @@
 // Cuts the rows of edge lists: tables between commas, semicolons or tabs (RFC 4180, as pandas, R and
 // Gephi write them) and words between blanks (networkx, igraph). How a list is cut is decided by its
 // first row alone, and a row that two ways fit is refused.
-#include "ar3d/formats/graphs/list_rows.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/graph_format.h"
+#include "ar3d/formats/graphs/list_graph.h"
 #include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {

@@ -1,7 +1,5 @@
 // Files, gzip, xz and memory behind one interface; packed data may not claim gigabytes for a few
 // bytes.
-#include "ar3d/formats/text/byte_source.h"
-
 #include <fmt/format.h>
 #include <iconv.h>
 #include <lzma.h>
@@ -20,6 +18,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/formats/text/text_input.h"
 
 namespace ar3d {
 namespace {

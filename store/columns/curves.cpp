@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <sstream>
-#include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"

@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstring>
-
 #include "ar3d/base/error.h"
 #include "ar3d/store/columns/record_pass.h"
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ar3d/store/columns/row_key.h"
 #include "ar3d/store/columns/run_record.h"
+#include "ar3d/store/columns/study_identity.h"
 #include "ar3d/store/columns/table.h"
 
 namespace ar3d {

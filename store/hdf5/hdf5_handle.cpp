@@ -1,11 +1,10 @@
 // HDF5's C interface with owners for its identifiers and exceptions for its errors. The innermost
 // message of HDF5's stack is kept, because the outer ones say nothing.
-#include "ar3d/store/hdf5/hdf5_handle.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "ar3d/store/hdf5/hdf5_table.h"
 #include "ar3d/store/hdf5/results_file.h"
 
 namespace ar3d {

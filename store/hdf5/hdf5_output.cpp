@@ -5,7 +5,7 @@
 
 #include <cerrno>
 
-#include "ar3d/store/hdf5/hdf5_handle.h"
+#include "ar3d/store/hdf5/hdf5_table.h"
 
 namespace ar3d {
 namespace {

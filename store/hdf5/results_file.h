@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
-#include "ar3d/store/columns/row_key.h"
 #include "ar3d/store/columns/side_tables.h"
+#include "ar3d/store/columns/study_identity.h"
 #include "ar3d/store/hdf5/reader_process.h"
 
 namespace ar3d {

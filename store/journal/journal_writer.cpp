@@ -8,7 +8,6 @@
 
 #include <cerrno>
 #include <chrono>
-#include <cstring>
 
 #include "ar3d/base/system_calls.h"
 #include "ar3d/store/columns/run_columns.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/algorithms/compact_120/words.h"
+#include "ar3d/algorithms/compact_120/strip.h"
 
 namespace ar3d::compact_120 {
 namespace {

@@ -14,7 +14,6 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/grid/order.h"
 #include "ar3d/algorithms/grid/planes.h"
-#include "ar3d/algorithms/grid/routes.h"
 #include "ar3d/verify/certificate.h"
 #include "support/counters.h"
 

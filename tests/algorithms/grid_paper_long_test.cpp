@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "algorithms/grid_paper_support.h"
-#include "ar3d/generators/polyhedra.h"
+#include "ar3d/generators/families.h"
 
 namespace ar3d::testing {
 namespace {

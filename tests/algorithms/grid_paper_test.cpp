@@ -9,7 +9,6 @@
 #include "algorithms/grid_paper_support.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/grid_paper/builder.h"
-#include "ar3d/algorithms/grid_paper/growth.h"
 #include "ar3d/base/random.h"
 #include "verify/draft.h"
 

@@ -14,7 +14,7 @@
 #include "algorithms/two_bend_109_support.h"
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 #include "ar3d/algorithms/two_bend_109/layout.h"
-#include "ar3d/algorithms/two_bend_109/small_bodies.h"
+#include "ar3d/algorithms/two_bend_109/partition.h"
 #include "ar3d/verify/predicates/exact.h"
 
 namespace ar3d::two_bend_109 {

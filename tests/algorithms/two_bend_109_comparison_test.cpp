@@ -12,7 +12,6 @@
 #include "algorithms/two_bend_109_support.h"
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 #include "ar3d/algorithms/two_bend_109/layout.h"
-#include "ar3d/algorithms/two_bend_109/placement.h"
 #include "ar3d/base/random.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"

@@ -11,7 +11,7 @@
 #include "algorithms/two_bend_109_support.h"
 #include "algorithms/two_bend_graphs.h"
 #include "algorithms/two_bend_support.h"
-#include "ar3d/generators/polyhedra.h"
+#include "ar3d/generators/families.h"
 
 namespace ar3d::testing {
 namespace {

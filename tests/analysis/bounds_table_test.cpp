@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "analysis/synthetic.h"
-#include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/report/report.h"
+#include "ar3d/analysis/tally.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d::testing {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "analysis/synthetic.h"
-#include "ar3d/analysis/replay.h"
+#include "ar3d/analysis/tally.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/columns/side_tables.h"

@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "analysis/synthetic.h"
-#include "ar3d/analysis/scaling/samples.h"
 
 namespace ar3d::testing {
 namespace {

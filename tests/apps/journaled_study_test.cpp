@@ -2,7 +2,7 @@
 #include <fstream>
 #include <map>
 
-#include "ar3d/bench/run/describe_study.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/store/journal/journal_writer.h"
 #include "ar3d/store/rows.h"
 #include "support/program.h"

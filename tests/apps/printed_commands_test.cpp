@@ -1,7 +1,7 @@
 // Commands that the program prints show the same drawing again.
 #include <sstream>
 
-#include "ar3d/analysis/replay.h"
+#include "ar3d/analysis/tally.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "support/program.h"
 #include "support/results.h"

@@ -11,7 +11,6 @@
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/verify/angles.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/examination.h"
 #include "bench/in_memory.h"

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/formats/catalog.h"
 #include "support/graphs.h"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/bench/run/describe_study.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_record.h"
 #include "support/test.h"

@@ -1,10 +1,11 @@
 // A study, its journals and its results file: who may write them when, and what is there at the
 // end.
+#include "ar3d/bench/keep/journaled_study.h"
+
 #include <functional>
 #include <map>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_reader.h"

@@ -7,7 +7,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/verify/angles.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/examination.h"
 #include "support/graphs.h"

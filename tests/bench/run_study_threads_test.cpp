@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "ar3d/bench/measure/processes.h"
-#include "ar3d/bench/run/describe_study.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 

@@ -1,8 +1,7 @@
-#include "ar3d/formats/drawings/drawing_svg.h"
-
 #include <cmath>
 
 #include "ar3d/base/error.h"
+#include "ar3d/formats/drawings/drawing_exports.h"
 #include "support/test.h"
 #include "verify/draft.h"
 

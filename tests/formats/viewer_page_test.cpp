@@ -8,7 +8,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/drawing_html.h"
 #include "ar3d/formats/drawings/edge_roles.h"
-#include "ar3d/formats/drawings/packed_geometry.h"
 #include "ar3d/generators/catalog.h"
 #include "support/problem.h"
 #include "support/program.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/polyhedra.h"
+#include "ar3d/generators/families.h"
 #include "ar3d/model/boost_graph.h"
 #include "support/graph_facts.h"
 #include "support/names.h"

@@ -1,8 +1,7 @@
-#include "ar3d/generators/lattices.h"
-
 #include <gtest/gtest.h>
 
 #include "ar3d/generators/catalog.h"
+#include "ar3d/generators/families.h"
 #include "ar3d/verify/certificate.h"
 #include "support/graph_facts.h"
 

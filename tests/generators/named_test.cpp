@@ -1,4 +1,3 @@
-#include "ar3d/generators/named.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +5,7 @@
 #include <set>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/polyhedra.h"
-#include "ar3d/generators/rings.h"
-#include "ar3d/generators/snarks.h"
+#include "ar3d/generators/families.h"
 #include "support/graph_facts.h"
 
 namespace ar3d::testing {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/rings.h"
+#include "ar3d/generators/families.h"
 #include "ar3d/generators/switching.h"
 #include "support/graph_facts.h"
 

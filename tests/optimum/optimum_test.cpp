@@ -1,7 +1,7 @@
 // The smallest boxes of small graphs: known values, and what the proof of docs/optimum.md rests on.
 #include <numeric>
 
-#include "ar3d/optimum/automorphisms.h"
+#include "ar3d/optimum/encoding.h"
 #include "optimum/optimum_support.h"
 #include "support/test.h"
 

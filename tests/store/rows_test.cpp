@@ -1,6 +1,6 @@
 #include "ar3d/store/rows.h"
 
-#include "ar3d/bench/run/describe_study.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "store/sample_runs.h"
 #include "support/problem.h"

@@ -6,8 +6,7 @@
 #include <stdexcept>
 
 #include "ar3d/base/random.h"
-#include "ar3d/generators/blocks.h"
-#include "ar3d/generators/rings.h"
+#include "ar3d/generators/families.h"
 
 namespace ar3d::testing {
 

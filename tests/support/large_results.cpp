@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ar3d/store/columns/row_key.h"
 #include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/columns/study_identity.h"
 #include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/rows.h"
 

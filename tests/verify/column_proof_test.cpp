@@ -1,7 +1,5 @@
 // The proof by counting in columns against the oracle: the same verdicts, and the same counts as by
 // all pairs.
-#include "ar3d/verify/counting/column_proof.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -9,6 +7,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
+#include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/examination.h"
 #include "ar3d/verify/predicates/exact.h"
 #include "verify/counted_pairs.h"

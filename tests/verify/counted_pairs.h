@@ -7,7 +7,7 @@
 
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/counting/plane_records.h"
-#include "ar3d/verify/crossings/segments.h"
+#include "ar3d/verify/crossings/contacts.h"
 #include "ar3d/verify/metrics/metrics.h"
 #include "ar3d/verify/predicates/exact.h"
 #include "verify/draft.h"

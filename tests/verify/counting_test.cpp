@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ar3d/verify/counting/counting_proof.h"
-#include "ar3d/verify/crossings/segments.h"
+#include "ar3d/verify/crossings/contacts.h"
 #include "ar3d/verify/examination.h"
 #include "ar3d/verify/predicates/exact.h"
 #include "ar3d/verify/predicates/functional.h"

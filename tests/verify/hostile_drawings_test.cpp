@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "ar3d/base/random.h"
-#include "ar3d/verify/angles.h"
 #include "ar3d/verify/certificate.h"
+#include "ar3d/verify/examination.h"
 #include "verify/draft.h"
 
 namespace ar3d::testing {

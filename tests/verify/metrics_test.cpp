@@ -16,7 +16,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/examination.h"
-#include "ar3d/verify/metrics/closest_pair.h"
+#include "ar3d/verify/metrics/summary_pass.h"
 #include "verify/random_drafts.h"
 
 namespace ar3d::testing {

@@ -6,7 +6,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/generators/lattices.h"
+#include "ar3d/generators/families.h"
 #include "ar3d/generators/random_graphs.h"
 #include "ar3d/verify/certificate.h"
 #include "support/graphs.h"

@@ -2,8 +2,6 @@
 // box. Edges are compared as sorted lists, because a file may list them in any order.
 #include "ar3d/verify/checks/checks.h"
 
-#include "ar3d/verify/predicates/exact.h"
-
 namespace ar3d::verify {
 
 namespace {

@@ -5,7 +5,7 @@
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"
-#include "ar3d/verify/crossings/segments.h"
+#include "ar3d/verify/crossings/contacts.h"
 #include "ar3d/verify/violation.h"
 
 namespace ar3d::verify {

@@ -2,9 +2,8 @@
 // same counting, by columns (Steps V.9 to V.11 of docs/verify.md) instead of by planes. Angles at
 // vertices are looked up by the numbers of small directions; a bend with another direction is
 // decided by itself. Slabs took 3.1 to 5.5 times as long (random cubic graphs, 10^4 to 10^6).
-#include "ar3d/verify/counting/column_proof.h"
-
 #include "ar3d/verify/checks/checks.h"
+#include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/predicates/exact.h"
 
 namespace ar3d::verify {

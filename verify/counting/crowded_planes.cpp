@@ -3,7 +3,7 @@
 // of meetings costs no more than one without any. For up to 160 comparisons per record, comparing
 // several at a time was faster (plane_counts.cpp). Source: Fenwick, A new data structure for
 // cumulative frequency tables (1994).
-#include "ar3d/verify/counting/crowded_planes.h"
+#include "ar3d/verify/counting/plane_counts.h"
 
 namespace ar3d::verify {
 namespace {

@@ -1,9 +1,8 @@
 // The segments of a drawing, edge after edge, and how messages name them.
-#include "ar3d/verify/crossings/segments.h"
-
 #include <fmt/format.h>
 
 #include "ar3d/base/error.h"
+#include "ar3d/verify/crossings/contacts.h"
 
 namespace ar3d::verify {
 

@@ -1,7 +1,5 @@
 // The smallest distance of two vertices: by strips, else by an R-tree, asked in random order. It is
 // compared in integers of proved width. A randomised grid was dropped: 27 random look-ups a vertex.
-#include "ar3d/verify/metrics/closest_pair.h"
-
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
@@ -9,6 +7,7 @@
 #include <numeric>
 
 #include "ar3d/base/random.h"
+#include "ar3d/verify/metrics/summary_pass.h"
 #include "ar3d/verify/predicates/functional.h"
 
 namespace ar3d::verify {

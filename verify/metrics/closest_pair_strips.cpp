@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ar3d/verify/crossings/radix_sort.h"
-#include "ar3d/verify/metrics/closest_pair.h"
+#include "ar3d/verify/metrics/summary_pass.h"
 #include "ar3d/verify/predicates/exact.h"
 #include "ar3d/verify/predicates/functional.h"
 

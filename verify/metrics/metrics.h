@@ -35,7 +35,7 @@ struct DrawingSummary {
   std::int64_t volume_at_least = -1;
   std::int64_t optimum = -1;  ///< likewise known_optimum()
 
-  // What set_angles_and_crossings() fills in (verify/angles.h).
+  // What set_angles_and_crossings() fills in (verify/examination.h).
   std::int64_t crossings = -1;
   double smallest_vertex_angle = kNone;  ///< degrees
   double smallest_bend_angle = kNone;    ///< degrees

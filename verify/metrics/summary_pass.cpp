@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "ar3d/verify/metrics/closest_pair.h"
-
 namespace ar3d::verify {
 
 SummaryPass::SummaryPass(const Drawing& drawing, bool lengths)

@@ -22,7 +22,7 @@
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/model/boost_graph.h"
 #include "ar3d/verify/examination.h"
-#include "ar3d/verify/metrics/closest_pair.h"
+#include "ar3d/verify/metrics/summary_pass.h"
 #include "ar3d/verify/metrics/volume_bound.h"
 #include "limits.h"
 
