@@ -67,11 +67,10 @@ class StudySession {
 
 /// Describes one row to make. Two jobs of one instance in a row have the same `instance`.
 struct RowJob {
-  std::size_t index = 0;  ///< of the instance in the plan
   std::shared_ptr<const PlannedInstance> instance;
-  const PlannedRun* run = nullptr;  ///< one of instance->runs
   RowRequest request;
   std::size_t number = 0;  ///< for the source, whose own it is
+  const PlannedRun& run() const { return instance->runs[request.run]; }
 };
 
 /// Hands out the rows of a phase and takes them back. Called from several threads at once.

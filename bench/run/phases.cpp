@@ -38,19 +38,20 @@ class MetricsSource final : public RowSource {
       const std::size_t index = order_[begun_++];
       const auto instance =
           std::make_shared<const PlannedInstance>(session().plan().instances[index]);
-      for (const PlannedRun& run : instance->runs) {
+      for (std::size_t i = 0; i < instance->runs.size(); ++i) {
+        const PlannedRun& run = instance->runs[i];
         if (run.phase == RunPhase::metrics && session().wants(run)) {
-          jobs.push_back({index, instance, &run, {}});
+          jobs.push_back({instance, {.index = index, .run = i}});
         }
       }
-      std::ranges::stable_sort(jobs, {}, [](const RowJob& job) { return job.run->repetition; });
+      std::ranges::stable_sort(jobs, {}, [](const RowJob& job) { return job.run().repetition; });
     }
     RowJob job = std::move(jobs.front());
     jobs.pop_front();
     return job;
   }
 
-  void done(const RowJob& job, RunRecord row) override { session().add(*job.run, row); }
+  void done(const RowJob& job, RunRecord row) override { session().add(job.run(), row); }
 
  private:
   std::mutex mutex_;
@@ -106,10 +107,10 @@ class TimingSource final : public RowSource {
       }
       const PlannedRun* run = drawing.left.front();
       drawing.left.pop_front();
-      return RowJob{drawing.index,
-                    drawing.instance,
-                    run,
-                    {.certify = !drawing.certified,
+      return RowJob{drawing.instance,
+                    {.index = drawing.index,
+                     .run = static_cast<std::size_t>(run - drawing.instance->runs.data()),
+                     .certify = !drawing.certified,
                      .warm_ups = rules_.warm_up,
                      .write = rules_.write,
                      .restart = rules_.restart},
@@ -130,7 +131,7 @@ class TimingSource final : public RowSource {
     } else if (is_drawn(row)) {
       drawing.certified = row;
     }
-    session().add(*job.run, row);
+    session().add(job.run(), row);
     if (!is_drawn(row)) {
       fail_all(drawing, row);
       return;

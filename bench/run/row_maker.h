@@ -23,8 +23,10 @@ struct Circumstances {
   std::optional<LimitByVertices> certify_memory_bytes = {};  ///< as the budget has it
 };
 
-/// Holds what is done for a row besides drawing.
+/// Says which row of a plan is asked for, and what is done for it besides drawing.
 struct RowRequest {
+  std::size_t index = 0;       ///< of the instance in the plan
+  std::size_t run = 0;         ///< of its runs
   bool certify = true;         ///< else the row only has the drawing's hash and no verdict
   std::uint32_t warm_ups = 0;  ///< drawings before the timed one
   bool write = false;          ///< time the formatting as JSON lines

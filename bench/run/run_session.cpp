@@ -31,7 +31,7 @@ void work(RowSource& source, int worker, const std::atomic<bool>& failed) {
     if (!job) return;
     if (job->instance != prepared) maker.prepare(*job->instance);
     prepared = job->instance;
-    source.done(*job, maker.make_row(*job->run, job->request));
+    source.done(*job, maker.make_row(job->run(), job->request));
   }
 }
 

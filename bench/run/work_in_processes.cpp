@@ -61,25 +61,19 @@ std::vector<int> descriptors_of_graphs(const StudyPlan& plan) {
   return needed;
 }
 
-// What a worker is told. It has the plan from its parent.
-struct RowOrder {
-  std::size_t index = 0;  // of the instance
-  std::size_t run = 0;    // of its runs
-  RowRequest request;
-};
-static_assert(std::is_trivially_copyable_v<RowOrder>);  // it is sent as it stands in memory
+static_assert(std::is_trivially_copyable_v<RowRequest>);  // it is sent as it stands in memory
 
-// Serves rows until the parent hangs up.
+// Serves rows until the parent hangs up. The plan is the parent's.
 void serve(int socket, const StudyPlan& plan, const Circumstances& circumstances) {
   const Pinning pinning(static_cast<int>(circumstances.core));
   RowMaker maker(circumstances);
   PlannedInstance instance;
   std::optional<std::size_t> prepared;
-  RowOrder order;
-  while (receive_all(socket, bytes_in(order))) {
-    const bool is_new = prepared != order.index;
-    if (is_new) instance = plan.instances[order.index];
-    const PlannedRun& planned = instance.runs.at(order.run);
+  RowRequest request;
+  while (receive_all(socket, bytes_in(request))) {
+    const bool is_new = prepared != request.index;
+    if (is_new) instance = plan.instances[request.index];
+    const PlannedRun& planned = instance.runs.at(request.run);
     RunRecord run;
     {
       std::optional<rlimit> before;
@@ -90,9 +84,9 @@ void serve(int socket, const StudyPlan& plan, const Circumstances& circumstances
         if (before) setrlimit(RLIMIT_AS, &*before);
       };
       if (is_new) maker.prepare(instance);
-      prepared = order.index;
+      prepared = request.index;
       if (!send_all(socket, row_message(kBegun, maker.begun(planned)))) return;
-      run = maker.make_row(planned, order.request);
+      run = maker.make_row(planned, request);
     }
     if (!send_all(socket, row_message(kMade, run))) return;
   }
@@ -116,61 +110,19 @@ std::function<double()> awake_clock() {
 // How a row ended without a worker's word: "killed by signal 11 (Segmentation fault)", …
 using WorkerEnd = std::pair<RunStatus, std::string>;
 
-// A forked process that makes rows. It ends with this object.
-struct Worker {
-  // @throws InputError if the system has no process or descriptor left.
-  Worker(const StudyPlan& plan, const Circumstances& circumstances) {
-    row_message_size();  // so that the columns are made once, by the parent
-    child = Child::forked({.kept = descriptors_of_graphs(plan)}, [&](int socket) {
-      serve(socket, plan, circumstances);
-      return 0;
-    });
-    fcntl(child.socket(), F_SETFL, O_NONBLOCK);
-  }
-
-  // False if the process is gone.
-  bool send(const RowJob& job) const {
-    const auto run = static_cast<std::size_t>(job.run - job.instance->runs.data());
-    RowOrder order{job.index, run, job.request};
-    return send_all(child.socket(), bytes_in(order));  // less than a socket's buffer: never waits
-  }
-
-  // CPU time so far; the largest double once it has ended.
-  double cpu_s() const {
-    const double seconds = child.cpu_s();
-    return std::isnan(seconds) ? std::numeric_limits<double>::max() : seconds;
-  }
-
-  // Once it has closed its socket.
-  WorkerEnd end() {
-    const int status = child.wait();
-    if (WIFEXITED(status)) {
-      return {RunStatus::crashed, fmt::format("exited with code {}", WEXITSTATUS(status))};
-    }
-    const int signal = WTERMSIG(status);
-    if (signal == SIGKILL && oom_kills() > oom_kills_before) {
-      return {RunStatus::out_of_memory, "killed by the system for want of memory"};
-    }
-    return {RunStatus::crashed, fmt::format("killed by signal {} ({})", signal, strsignal(signal))};
-  }
-
-  long long oom_kills_before = oom_kills();
-  Child child;
-  std::string received;
-};
-
-// A slot of a worker: it has a row in hand, or there is nothing left for it.
+// A slot of a worker, a forked process that makes rows and ends with this object: it has a row in
+// hand, or there is nothing left for it.
 class WorkerSlot {
  public:
   WorkerSlot(RowSource& source, const std::function<double()>& awake_s, int number)
       : source_(source), awake_s_(awake_s), number_(number) {}
 
   bool busy() const { return job_.has_value(); }
-  int descriptor() const { return worker_->child.socket(); }
+  int descriptor() const { return worker_->socket(); }
   // Seconds until the row can be late at the earliest; 0: it is late.
   double left_s() const {
     if (!limit_s_) return kPatienceSeconds;
-    const double computing = worker_->cpu_s() - cpu_before_s_;
+    const double computing = cpu_s() - cpu_before_s_;
     const double waiting = awake_s_() - began_s_;
     return std::max(0.0, std::min(*limit_s_ - computing, idle_limit_s(*limit_s_) - waiting));
   }
@@ -183,38 +135,35 @@ class WorkerSlot {
         fail(failure_);
         continue;
       }
-      if (worker_ && worker_->send(*job_)) return begin_time();
-      worker_.reset();
-      worker_ = std::make_unique<Worker>(source_.session().plan(),
-                                         source_.circumstances(number_, MemoryScope::worker));
-      if (worker_->send(*job_)) return begin_time();
-      give_up(worker_->end());
+      if (worker_ && send()) return begin_time();
+      begin_worker();
+      if (send()) return begin_time();
+      give_up(end_of_worker());
     }
   }
 
   // Reads what the worker has told, without waiting; true if the row is done, one way or the other.
   bool look() {
     for (;;) {
-      std::string& received = worker_->received;
-      while (received.size() < row_message_size()) {
+      while (received_.size() < row_message_size()) {
         char bytes[4096];
-        const ssize_t got = recv(worker_->child.socket(), bytes, sizeof bytes, 0);
+        const ssize_t got = recv(worker_->socket(), bytes, sizeof bytes, 0);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0 && errno == EAGAIN) return false;
         if (got <= 0) {
-          give_up(worker_->end());
+          give_up(end_of_worker());
           return true;
         }
-        received.append(bytes, static_cast<std::size_t>(got));
+        received_.append(bytes, static_cast<std::size_t>(got));
       }
       RunRecord row;
-      const std::string_view first(received.data(), row_message_size());
+      const std::string_view first(received_.data(), row_message_size());
       const char tag = read_row_message(first, row).value_or('\0');
       if (tag != kBegun && tag != kMade) {
         give_up({RunStatus::crashed, "its process wrote into the socket that rows come through"});
         return true;
       }
-      received.erase(0, row_message_size());
+      received_.erase(0, row_message_size());
       if (tag == kMade) {
         source_.done(*job_, std::move(row));
         return true;
@@ -234,12 +183,49 @@ class WorkerSlot {
   // that computes nothing, since it waits for ever, ends after this time awake.
   static double idle_limit_s(double limit_s) { return 10 * limit_s + 1; }
 
+  // @throws InputError if the system has no process or descriptor left.
+  void begin_worker() {
+    row_message_size();  // so that the columns are made once, by the parent
+    worker_.reset();
+    received_.clear();
+    oom_kills_before_ = oom_kills();
+    const StudyPlan& plan = source_.session().plan();
+    const Circumstances circumstances = source_.circumstances(number_, MemoryScope::worker);
+    worker_ = Child::forked({.kept = descriptors_of_graphs(plan)}, [&](int socket) {
+      serve(socket, plan, circumstances);
+      return 0;
+    });
+    fcntl(worker_->socket(), F_SETFL, O_NONBLOCK);
+  }
+
+  // False if the process is gone. Less than a socket's buffer: it never waits.
+  bool send() { return send_all(worker_->socket(), bytes_in(job_->request)); }
+
+  // CPU time so far; the largest double once it has ended.
+  double cpu_s() const {
+    const double seconds = worker_->cpu_s();
+    return std::isnan(seconds) ? std::numeric_limits<double>::max() : seconds;
+  }
+
+  // How the worker ended, once it has closed its socket.
+  WorkerEnd end_of_worker() {
+    const int status = worker_->wait();
+    if (WIFEXITED(status)) {
+      return {RunStatus::crashed, fmt::format("exited with code {}", WEXITSTATUS(status))};
+    }
+    const int signal = WTERMSIG(status);
+    if (signal == SIGKILL && oom_kills() > oom_kills_before_) {
+      return {RunStatus::out_of_memory, "killed by the system for want of memory"};
+    }
+    return {RunStatus::crashed, fmt::format("killed by signal {} ({})", signal, strsignal(signal))};
+  }
+
   void begin_time() {
     limit_s_.reset();
     const Budget& budget = source_.session().plan().budget;
     if (!budget.row_time_s) return;
     limit_s_ = (*budget.row_time_s)(job_->instance->n);
-    cpu_before_s_ = worker_->cpu_s();
+    cpu_before_s_ = cpu_s();
     began_s_ = awake_s_();
   }
 
@@ -255,7 +241,7 @@ class WorkerSlot {
   }
 
   void fail(const WorkerEnd& end) {
-    RunRecord run = begun_ ? *begun_ : planned_row(*job_->instance, *job_->run);
+    RunRecord run = begun_ ? *begun_ : planned_row(*job_->instance, job_->run());
     std::tie(run.status, run.message) = end;
     source_.done(*job_, std::move(run));
   }
@@ -263,7 +249,9 @@ class WorkerSlot {
   RowSource& source_;
   const std::function<double()>& awake_s_;
   int number_;
-  std::unique_ptr<Worker> worker_;
+  std::optional<Child> worker_;
+  long long oom_kills_before_ = 0;  // before the worker began
+  std::string received_;            // from it
   std::optional<RowJob> job_;
   std::optional<RunRecord> begun_;  // what is known of the row in hand, once its graph is there
   std::optional<double> limit_s_;   // of the row or graph in hand
