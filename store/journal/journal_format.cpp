@@ -168,14 +168,24 @@ void write_value(const Column& column, const char* from, std::string& json) {
 // A text without its escapes. False if it has no end or is longer than its column.
 bool take_text(std::string_view& json, const Column& column, char* to) {
   if (!take(json, "\"")) return false;
-  for (std::size_t i = 0; i <= column.size; ++i) {
-    if (take(json, "\"")) return true;
-    take(json, "\\");
-    if (json.empty() || i == column.size) return false;
-    to[i] = json.front();
-    json.remove_prefix(1);
+  std::size_t at = 0;
+  for (std::size_t i = 0; at < json.size() && json[at] != '"'; ++i) {
+    if (json[at] == '\\') ++at;
+    if (at == json.size() || i == column.size) break;
+    to[i] = json[at++];
   }
-  return false;
+  json.remove_prefix(at);
+  return take(json, "\"");
+}
+
+// A column's key with its colon, behind a comma unless it is the first one.
+bool take_key(std::string_view& json, std::string_view name, bool is_first) {
+  const std::size_t begin = is_first ? 1 : 2, end = begin + name.size();
+  const bool is_it = json.size() > end + 1 && json.substr(begin, name.size()) == name &&
+                     json.substr(0, begin) == (is_first ? "\"" : ",\"") && json[end] == '"' &&
+                     json[end + 1] == ':';
+  if (is_it) json.remove_prefix(end + 2);
+  return is_it;
 }
 
 bool take_value(std::string_view& json, const Column& column, char* to) {
@@ -275,18 +285,13 @@ void write_record(const std::vector<Column>& columns, const char* record, std::s
 
 void parse_record(const std::vector<Column>& columns, std::string_view json,
                   const std::string& path, char* record) {
-  std::string key;
-  bool is_good = take(json, "{");
+  bool is_good = take(json, "{"), is_first = true;
   for (const Column& column : columns) {
     char* to = record + column.offset;
     store_missing(column, to);
-    key.append("\"").append(column.name).append("\":");
-    if (take(json, key)) {
-      is_good = is_good && take_value(json, column, to);
-      key.assign(1, ',');
-    } else {
-      key.resize(key.starts_with(',') ? 1 : 0);
-    }
+    if (!take_key(json, column.name, is_first)) continue;
+    is_good = is_good && take_value(json, column, to);
+    is_first = false;
   }
   if (is_good && json == "}") return;
   throw InputError(fmt::format("{}: a record is none of its table from '{}' on", path,
