@@ -5,6 +5,7 @@
 #include "ar3d/algorithms/routed/placement.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <span>
 
@@ -105,7 +106,8 @@ class Annealing {
 
   std::uint32_t cell_near_neighbours(Vertex v) {
     const auto edges = graph_.incident(v);
-    std::array<std::array<int, 4>, 3> of{};  // no vertex has more neighbours
+    std::array<std::array<int, 4>, 3> of;  // no vertex has more neighbours
+    for (std::array<int, 4>& list : of) list.fill(std::numeric_limits<int>::max());
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const Spot p = spots_[of_[edges[k].to]];
       of[0][k] = p.x;
@@ -118,7 +120,7 @@ class Annealing {
     const std::array<int, 3> sides = {cells_.x, cells_.y, cells_.z};
     std::array<int, 3> p{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::sort(of[axis].begin(), of[axis].begin() + static_cast<std::ptrdiff_t>(edges.size()));
+      std::ranges::sort(of[axis]);
       const int median = (of[axis][(edges.size() - 1) / 2] + of[axis][edges.size() / 2]) / 2;
       const int shift = static_cast<int>(random_.below(static_cast<std::uint32_t>(2 * radius + 1)));
       p[axis] = std::clamp(median + shift - radius, 0, sides[axis] - 1);
