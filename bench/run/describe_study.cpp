@@ -22,8 +22,11 @@ std::vector<AlgorithmRecord> algorithms_of(const StudySpec& spec) {
     for (const AlgorithmChoice& choice : sweep.algorithms) {
       if (!choice.algorithm->is_judged) continue;
       const Guarantee& guarantee = choice.algorithm->guarantee;
-      AlgorithmRecord record{choice.algorithm->name, settings_text(choice.options),
-                             guarantee.bound, {}, guarantee.max_bends};
+      AlgorithmRecord record{choice.algorithm->name,
+                             settings_text(choice.options),
+                             guarantee.bound,
+                             {},
+                             guarantee.max_bends};
       if (!guarantee.published.empty()) record.published = guarantee.published.front();
       records.try_emplace({record.algorithm, record.options}, record);
     }

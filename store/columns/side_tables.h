@@ -18,7 +18,7 @@ struct AlgorithmRecord {
   std::string options;  ///< "effort=1", complete and in catalogue order
   SizeBound theorem;
   std::optional<SizeBound> published;  ///< of others, for comparison only
-  std::int64_t max_bends = -1;         ///< of an edge, as promised; -1: in results that do not say it
+  std::int64_t max_bends = -1;  ///< of an edge, as promised; -1: in results that do not say it
 };
 
 /// Describes a record of /graph_files: a file, or a collection, whose graphs are instances.
