@@ -53,8 +53,12 @@ test("four parts; the first screen has the picture, the two commands and a table
 test("search finds a word of the proofs and a command", async () => {
   for (const [asked, found] of [["necklace", /docs\/(algorithms|theorem)/], ["replay", /docs\/(commands|study|contracts)/]]) {
     await page.goto(origin);
-    await page.locator("input.md-search__input").fill(asked);
-    await page.locator(".md-search-result__item a").first().waitFor();
+    const first = page.locator(".md-search-result__item a").first();
+    for (let i = 0; i < 20 && !await first.isVisible(); ++i) {  // what is typed before the index has come is lost
+      await page.locator("input.md-search__input").fill("");
+      await page.locator("input.md-search__input").fill(asked);
+      await first.waitFor({timeout: 5000}).catch(() => {});
+    }
     const places = await page.locator(".md-search-result__item a").evaluateAll(links => links.map(link => link.href));
     assert.ok(places.some(place => found.test(place)), `${asked}: ${places}`);
   }
