@@ -17,8 +17,8 @@ namespace {
 
 constexpr char kDrawn = 'd';
 
-// The places that one rank draws of the rows of a batch which `count` ranks share.
-std::vector<std::size_t> places_of_rank(int rank, int count, std::size_t rows) {
+// The indices that one rank draws of the rows of a batch which `count` ranks share.
+std::vector<std::size_t> indices_of_rank(int rank, int count, std::size_t rows) {
   std::vector<std::size_t> indices;
   for (auto i = static_cast<std::size_t>(rank); i < rows; i += static_cast<std::size_t>(count)) {
     indices.push_back(i);
@@ -125,10 +125,10 @@ class BatchDrawer {
 
   // The maker of the rows of the instance at that index of the plan, whose graph is there.
   RowMaker& maker_for(std::size_t index) {
-    if (place_ != index) {
+    if (index_ != index) {
       instance_ = plan_.instances[index];
       maker_.prepare(instance_);
-      place_ = index;
+      index_ = index;
     }
     return maker_;
   }
@@ -159,7 +159,7 @@ class BatchDrawer {
     std::vector<RunRecord> made(rows.size());
     for (int rank = 0; rank < count; ++rank) {
       const std::string& text = told[static_cast<std::size_t>(rank)];
-      const std::vector<std::size_t> indices = places_of_rank(rank, count, rows.size());
+      const std::vector<std::size_t> indices = indices_of_rank(rank, count, rows.size());
       const std::size_t size = row_message_size();
       expect(text.size() == indices.size() * size, "a rank tells its rows");
       for (std::size_t i = 0; i < indices.size(); ++i) {
@@ -185,7 +185,7 @@ class BatchDrawer {
           fmt::format("internal error: rank {} cannot generate rank 0's graph", rank_));
     }
     std::vector<RunRecord> begun;
-    for (const std::size_t i : places_of_rank(rank_, count, rows.size())) {
+    for (const std::size_t i : indices_of_rank(rank_, count, rows.size())) {
       begun.push_back(maker.begun(instance_.runs[rows[i]]));
     }
     const auto batch =
@@ -209,8 +209,8 @@ class BatchDrawer {
   const StudyPlan& plan_;
   const int rank_;
   const std::function<bool()> stop_;
-  std::optional<std::size_t> place_;
-  PlannedInstance instance_;  // at place_
+  std::optional<std::size_t> index_;
+  PlannedInstance instance_;  // at index_
   RowMaker maker_;            // prepared for it
 };
 

@@ -36,7 +36,7 @@ std::vector<AlgorithmRecord> algorithms_of(const StudySpec& spec) {
   return in_order;
 }
 
-constexpr std::size_t kBytesOfAPlace = 100;  // of memory, beside the text
+constexpr std::size_t kBytesOfALine = 100;  // of memory, beside the text
 
 /// The graphs of files, as far as the study wants them in its results: of each file or collection
 /// all or none.
@@ -51,7 +51,7 @@ StoredGraphs graphs_to_hold(const StudySpec& spec, const std::vector<StudyCorpus
       std::string& line = lines[graphs.index(i)];
       append_sparse6(line, graphs.graph(graphs.index(i)));
       line.pop_back();
-      own += static_cast<double>(line.size() + kBytesOfAPlace);
+      own += static_cast<double>(line.size() + kBytesOfALine);
     }
     if (bytes + own > spec.graphs_bytes || held.contains(corpus.record.name)) continue;
     bytes += own;

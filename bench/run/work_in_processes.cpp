@@ -286,7 +286,7 @@ void work_in_processes(RowSource& source) {
   while (
       std::any_of(slots.begin(), slots.end(), [](const WorkerSlot& slot) { return slot.busy(); })) {
     wait_for_news(slots);
-    if (stopped()) return;  // the places' destructors end what is in flight
+    if (stopped()) return;  // the slots' destructors end what is in flight
     for (WorkerSlot& slot : slots) {
       if (!slot.busy()) continue;
       bool done = slot.look();

@@ -235,7 +235,7 @@ def draw_bends(axes, tables, settings, families):
         promised.setdefault(tables["settings"][setting].get("promised_bends"), []).append(names[setting])
     if not axes.lines:
         raise Refused("--quantity bends: the study has no drawings with edges of these algorithms and families")
-    for dashes, bends in zip(("--", "-.", ":"), sorted(bends for bends in promised if bends is not None)):
+    for dashes, bends in zip(itertools.cycle(("--", "-.", ":")), sorted(bends for bends in promised if bends is not None)):
         axes.axhline(bends, color="0.4", linestyle=dashes, linewidth=0.8, label=short("theorem's bound" + (f" of {', '.join(promised[bends])}" if len(promised) > 1 else "")))
     axes.set(xscale="log", ylim=(0, None), xlabel="vertices $n$", ylabel="bends per edge")
 

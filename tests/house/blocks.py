@@ -33,7 +33,6 @@ NOT_RUN = {
     "tools/precision-report": "takes three minutes: tests/kernels/limits_test.py",
     "./ar3d study run extremes-large": "takes ten minutes: tests/apps/extremes_test.cpp",
     "./ar3d study run extremes-huge": "takes 17 minutes and 19 GB: tests/apps/extremes_test.cpp",
-    "./ar3d study run routed": "takes minutes: tests/house/pages.py compares its rows with the page",
     "sudo apt-get install graphviz python3-igraph python3-pandas python3-tables": "installs packages",
 }
 # Exit codes other than 0, and lines as they run on the small files that are made here.
