@@ -157,10 +157,10 @@ void add_precision(TableMaker& make) {
   Judged judged;
   for (std::size_t row = 0; row < count; ++row) {
     const RunRecord& run = rows.run(row);
-    if (run.status != RunStatus::ok && run.status != RunStatus::violated) continue;
+    const bool is_judged = run.status == RunStatus::ok || run.status == RunStatus::violated;
     if (run.n < 1 || run.phase != RunPhase::metrics) continue;
-    add_judgement(run, judged);
-    real.add(run, row);
+    if (is_judged) add_judgement(run, judged);
+    if (is_judged || run.status == RunStatus::measured) real.add(run, row);
   }
   real.finish();
   add_judgements(make, in_bins(std::move(judged)));

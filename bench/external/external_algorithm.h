@@ -27,6 +27,7 @@ struct ExternalAlgorithm {
   std::vector<std::string> command;     ///< words; "{option}" stands for an option's value
   std::string version;             ///< as its author calls it; empty: program_version() asks git
   std::string input = "edgelist";  ///< what the program reads: graph6, sparse6 or edgelist
+  std::string coordinates;  ///< float or double: its decimals are read as such; empty: exactly
   bool one_graph_per_process = false;
   double time_limit_s = 60;            ///< from request to answer
   double time_limit_s_per_vertex = 0;  ///< more, for each vertex

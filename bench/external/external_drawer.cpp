@@ -40,9 +40,10 @@ std::size_t most_bytes(const Graph& graph) {
 // such lines does so from the beginning.
 constexpr double kListeningSeconds = 0.02;
 
-ProgramAnswer parsed(const std::string& name, const Graph& graph, const std::string& line) {
+ProgramAnswer parsed(const ExternalAlgorithm& algorithm, const Graph& graph,
+                     const std::string& line) {
   try {
-    return parse_answer(name, graph, line);
+    return parse_answer(algorithm.row.name, graph, line, algorithm.coordinates);
   } catch (const InputError& error) {
     throw ProgramFailure(RunStatus::crashed,
                          fmt::format("its answer is no drawing: {}", error.what()));
@@ -201,7 +202,7 @@ Drawing ExternalDrawer::draw(const ExternalAlgorithm& algorithm, const Graph& gr
   const ExternalProcess::Answer answer = process->ask(
       request_of(algorithm, graph), algorithm.limit_s(graph.num_vertices()), most_bytes(graph));
   if (is_new && !algorithm.one_graph_per_process) process->refuse_second_lines(kListeningSeconds);
-  ProgramAnswer read = parsed(algorithm.row.name, graph, answer.line);
+  ProgramAnswer read = parsed(algorithm, graph, answer.line);
   if (!algorithm.one_graph_per_process) drawer.processes_[key] = std::move(process);
   if (!read.drawing) throw InputError(fmt::format("{}: {}", algorithm.row.name, read.refusal));
   drawer.times_ = {"", answer.wall_s, std::isnan(read.own_s) ? answer.cpu_s : read.own_s};

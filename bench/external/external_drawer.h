@@ -43,9 +43,12 @@ struct ProgramAnswer {
 /// `edges` is left out, z = 0 where it is; `seconds` may be left out, too. A finite decimal is an
 /// exact rational: all are multiplied by the least power of ten that makes them integers, the
 /// drawing's unit, whose exponent the counter `decimals` tells.
+/// @param type  "float" or "double": each decimal becomes the nearest value of it, and the drawing
+/// is one in that real type (ties to even).
 /// @throws InputError if it is none of this, or no drawing of that graph; if a number has more than
-/// 18 significant digits or an integer passes kMaxCoordinate.
-ProgramAnswer parse_answer(const std::string& algorithm, const Graph& graph, std::string_view line);
+/// 18 significant digits, an integer passes kMaxCoordinate, or a number the range of the type.
+ProgramAnswer parse_answer(const std::string& algorithm, const Graph& graph, std::string_view line,
+                           const std::string& type = {});
 
 /// Represents a program that answers each request with one line. It ends with this object.
 class ExternalProcess {

@@ -1,13 +1,15 @@
 // Reads the answer of a foreign program. Decimal numbers become integers of one common unit, so
-// that its drawing is judged by the same exact code as ours.
+// that its drawing is judged by the same exact code as ours, or the nearest values of a real type.
 #include <fmt/format.h>
 
+#include <charconv>
 #include <numeric>
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/text_input.h"
+#include "ar3d/model/real_points.h"
 
 namespace ar3d {
 namespace {
@@ -53,36 +55,76 @@ int common_unit(const DecimalDrawing& read) {
   return unit;
 }
 
+/// Index of each edge of the graph among those drawn; empty if all are straight.
+std::vector<std::size_t> order_of_edges(const Graph& graph, const DecimalDrawing& read) {
+  require_vertices(graph, read.vertices.size());
+  if (!read.edges) return {};
+  for (const auto [u, v] : *read.edges) {
+    if (std::max(u, v) < graph.num_vertices()) continue;
+    throw InputError(fmt::format("an edge has the end {}, the graph has {} vertices",
+                                 std::max(u, v), graph.num_vertices()));
+  }
+  return matched_edges(graph, *read.edges);
+}
+
+/// The bends of an edge of the graph from its lower end, as they were written.
+std::vector<DecimalPoint> bends_of(const DecimalDrawing& read,
+                                   const std::vector<std::size_t>& order, EdgeId e) {
+  if (order.empty()) return {};
+  const std::size_t drawn = order[e];
+  const auto at = [&](std::size_t i) {
+    return read.bends.begin() + static_cast<std::ptrdiff_t>(read.offsets[i]);
+  };
+  std::vector<DecimalPoint> bends(at(drawn), at(drawn + 1));
+  if ((*read.edges)[drawn].u > (*read.edges)[drawn].v) std::ranges::reverse(bends);
+  return bends;
+}
+
 Drawing scaled_drawing(const std::string& algorithm, const Graph& graph,
                        const DecimalDrawing& read) {
-  require_vertices(graph, read.vertices.size());
-  std::vector<std::size_t> order;
-  if (read.edges) {
-    for (const auto [u, v] : *read.edges) {
-      if (std::max(u, v) < graph.num_vertices()) continue;
-      throw InputError(fmt::format("an edge has the end {}, the graph has {} vertices",
-                                   std::max(u, v), graph.num_vertices()));
-    }
-    order = matched_edges(graph, *read.edges);
-  }
+  const std::vector<std::size_t> order = order_of_edges(graph, read);
   const int unit = common_unit(read);
   std::vector<Point> vertices;
   for (const auto& vertex : read.vertices) vertices.push_back(integers(vertex, unit));
-  std::vector<std::vector<Point>> bends;
+  std::vector<std::vector<Point>> bends(graph.num_edges());
   for (EdgeId e = 0; e < graph.num_edges(); ++e) {
-    std::vector<Point>& points = bends.emplace_back();
-    if (read.edges) {
-      const std::size_t drawn = order[e];
-      for (std::size_t i = read.offsets[drawn]; i < read.offsets[drawn + 1]; ++i) {
-        points.push_back(integers(read.bends[i], unit));
-      }
-      if ((*read.edges)[drawn].u > (*read.edges)[drawn].v)
-        std::reverse(points.begin(), points.end());
-    }
+    for (const auto& bend : bends_of(read, order, e)) bends[e].push_back(integers(bend, unit));
   }
   Drawing drawing = drawing_from_points(algorithm, graph, vertices, bends);
   drawing.counters.push_back({"decimals", -unit});
   return drawing;
+}
+
+template <class Real>
+DyadicNumber nearest(const Decimal& number, const std::string& type) {
+  const std::string text = fmt::format("{}e{}", number.digits, number.exponent);
+  Real value{};
+  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc()) {
+    throw InputError(fmt::format("{} is beyond the numbers of {}", text, type));
+  }
+  const double exact = value;
+  return dyadic_sum({&exact, 1});
+}
+
+/// The drawing whose coordinates are the values of a real type nearest to those written.
+Drawing rounded_drawing(const std::string& algorithm, const Graph& graph,
+                        const DecimalDrawing& read, const std::string& type) {
+  const std::vector<std::size_t> order = order_of_edges(graph, read);
+  const auto rounded = [&](const DecimalPoint& point) {
+    RealPointsBuilder::Point result;
+    std::ranges::transform(point, result.begin(), [&](const Decimal& number) {
+      return type == "float" ? nearest<float>(number, type) : nearest<double>(number, type);
+    });
+    return result;
+  };
+  RealPointsBuilder points(type);
+  for (const auto& vertex : read.vertices) points.add_vertex(rounded(vertex));
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    std::vector<RealPointsBuilder::Point> bends;
+    for (const auto& bend : bends_of(read, order, e)) bends.push_back(rounded(bend));
+    points.add_edge(std::move(bends));
+  }
+  return real_drawing(algorithm, graph.shared_edges(), points.finish());
 }
 
 // A drawing as this program writes them.
@@ -102,15 +144,20 @@ ProgramAnswer parse_own_format(const Graph& graph, std::string_view line) {
 
 }  // namespace
 
-ProgramAnswer parse_answer(const std::string& algorithm, const Graph& graph,
-                           std::string_view line) {
+ProgramAnswer parse_answer(const std::string& algorithm, const Graph& graph, std::string_view line,
+                           const std::string& type) {
   if (const auto zero = line.find('\0'); zero != std::string_view::npos) {
     throw InputError(fmt::format("column {}: a byte 0", zero + 1));
   }
-  if (line.find("\"gram\"") != std::string_view::npos) return parse_own_format(graph, line);
+  if (line.find("\"gram\"") != std::string_view::npos) {
+    if (type.empty()) return parse_own_format(graph, line);
+    throw InputError(fmt::format("integers and a Gram matrix are no coordinates of {}", type));
+  }
   const DecimalDrawing read = read_decimal_drawing(line);
   ProgramAnswer answer{{}, read.error, read.seconds};
-  if (read.error.empty()) answer.drawing = scaled_drawing(algorithm, graph, read);
+  if (!read.error.empty()) return answer;
+  answer.drawing = type.empty() ? scaled_drawing(algorithm, graph, read)
+                                : rounded_drawing(algorithm, graph, read, type);
   return answer;
 }
 

@@ -107,6 +107,12 @@ std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
     refuse_toml(input, fmt::format("input '{}' is none of edgelist, graph6 and sparse6",
                                    printable(program.input)));
   };
+  const auto read_coordinates = [&](const toml::node& coordinates, const std::string& key) {
+    program.coordinates = toml_text(coordinates, key);
+    if (program.coordinates == "float" || program.coordinates == "double") return;
+    refuse_toml(coordinates, fmt::format("coordinates '{}' is none of float and double",
+                                         printable(program.coordinates)));
+  };
   const auto read_version = [&](const toml::node& version, const std::string& key) {
     program.version = toml_text(version, key);
     if (program.version.empty() || is_graphs_name(program.version)) return;
@@ -130,6 +136,7 @@ std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
        {"command", read_command, true},
        {"input", read_input},
        {"version", read_version},
+       {"coordinates", read_coordinates},
        {"one_graph_per_process", into(program.one_graph_per_process)},
        {"time_limit_s", number_into(program.time_limit_s, 1e-3, 1e6)},
        {"time_limit_s_per_vertex", number_into(program.time_limit_s_per_vertex, 0, 1e6)},
@@ -140,6 +147,12 @@ std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
         program.row.options.push_back({option, -kAny - 1, kAny, first_value, "of the program"});
         first.push_back({option, first_value});
       });
+  if (!program.coordinates.empty()) {
+    if (program.row.is_judged) {
+      refuse_toml(node, "coordinates in a real type keep no guarantee: leave one of the two out");
+    }
+    program.row.guarantee.claim = Claim::measured;
+  }
   with_location(node, [&] { command_with(program, first); });
   return made;
 }

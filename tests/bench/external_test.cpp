@@ -87,6 +87,24 @@ TEST_F(Programs, GoodOnesAreMeasured) {
   }
 }
 
+TEST_F(Programs, CoordinatesAreJudgedInARealType) {
+  const std::string path = program("round.py", kRound);
+  for (const auto& [type, least, most] :
+       {std::tuple("float", 1e-8, 1e-3), std::tuple("double", 1e-8, 1e-3)}) {
+    const std::vector<RunRecord> runs =
+        rows(study(path, fmt::format("coordinates = \"{}\"", type)));
+    ASSERT_EQ(runs.size(), 3u);
+    for (const RunRecord& run : runs) {
+      EXPECT_EQ(run.status, RunStatus::measured) << run.message;
+      const double miss = column_number(run_column("angle_miss"), run);
+      if (run.n == 5) EXPECT_NEAR(miss, 12, 1e-3) << "at least 120 degrees are wanted";
+      if (run.n == 6) EXPECT_TRUE(miss > least && miss < most) << miss;
+      if (run.n == 7) EXPECT_EQ(miss, 0);
+      EXPECT_EQ(column_text(run_column("crossings"), record_of(run).data()), "0");
+    }
+  }
+}
+
 TEST_F(Programs, AreAlgorithms) {
   const StudySpec spec = study(program("step.py", R"(
     say(json.dumps({"vertices": [[i * served, i * i, 0] for i in range(n)]}) + "\n"))"),
@@ -281,6 +299,10 @@ TEST_F(Programs, BadSpecificationsAreRefusedInOneLine) {
       {"name = \"m\"\ncommand = \"x\"\ntime_limit_s = 0", "outside"},
       {"name = \"m\"\ncommand = \"x\"\ntime_limit_s_per_vertex = -1", "outside"},
       {"name = \"m\"\ncommand = \"x\"\none_graph_per_process = 1", "neither true nor false"},
+      {"name = \"m\"\ncommand = \"x\"\ncoordinates = \"half\"", "none of float and double"},
+      {"name = \"m\"\ncommand = \"x\"\ncoordinates = \"float\"\nguarantee = { max_degree = 3, "
+       "max_bends = 1, cosine = [-1, 2] }",
+       "keep no guarantee"},
       {"name = \"m\"\ncommand = \"x\"\nguarantee = 3", "guarantee is not a table"},
       {"name = \"m\"\ncommand = \"x\"\nguarantee = { max_degree = 3, max_bends = 1 }",
        "lacks 'cosine'"},

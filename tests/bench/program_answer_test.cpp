@@ -7,6 +7,8 @@
 #include "ar3d/base/error.h"
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/model/real_points.h"
+#include "ar3d/verify/assessment/real_assessment.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/examination.h"
 #include "support/graphs.h"
@@ -104,6 +106,40 @@ TEST(Answers, NonsenseIsNamed) {
     const char* line = answer;
     EXPECT_THAT(problem([&] { parse_answer("p", kPath, line); }), HasSubstr(message)) << line;
   }
+}
+
+TEST(Answers, DecimalsBecomeTheNearestValuesOfAType) {
+  const Graph claw(4, {{0, 1}, {0, 2}, {0, 3}});
+  const std::string line =
+      R"({"vertices":[[0,0,0],[1,0,0],[-0.5,0.8660254037844386,0],)"
+      R"([-0.5,-0.8660254037844386,0]],"edges":[[0,1],[2,0,[[0.1,0.2]]],[0,3]]})";
+  const auto miss = [&](const std::string& coordinates) {
+    const Drawing drawing = *parse_answer("p", claw, line, coordinates).drawing;
+    EXPECT_EQ(drawing.real->type, coordinates);
+    require_values_of_type(*drawing.real);
+    EXPECT_EQ(drawing.real->bends_of(1).size(), 1U);
+    const std::string straight = line.substr(0, line.find(",\"edges\"")) + "}";
+    return examine(claw, *parse_answer("p", claw, straight, coordinates).drawing,
+                   Guarantee{.claim = Claim::measured, .max_degree = 3})
+        .summary.real->largest_miss;
+  };
+  EXPECT_GT(miss("float"), 1e-7);
+  EXPECT_LT(miss("float"), 1e-5);
+  EXPECT_GT(miss("double"), 1e-16);
+  EXPECT_LT(miss("double"), 1e-13);
+  const auto read = [](const char* x) {
+    return parse_answer("p", Graph(1, {}), fmt::format(R"({{"vertices":[[{},0,0]]}})", x), "float")
+        .drawing->real->vertices[0]
+        .x;
+  };
+  EXPECT_EQ(read("16777217"), BigInteger(1));  // a tie goes to the even 2^24, in units of itself
+  EXPECT_EQ(read("-0.0"), BigInteger(0));
+  EXPECT_THAT(problem([&] { read("1e39"); }), HasSubstr("1e39 is beyond the numbers of float"));
+  EXPECT_THAT(problem([&] { read("1e-99"); }), HasSubstr("1e-99 is beyond the numbers of float"));
+  std::string own;
+  append_drawing_line(own, draw(find_algorithm("grid"), kPath));
+  EXPECT_THAT(problem([&] { parse_answer("p", kPath, own, "double"); }),
+              HasSubstr("no coordinates of double"));
 }
 
 DrawingSummary angles_of(const Drawing& drawing) {
