@@ -222,8 +222,8 @@ std::optional<EndColumns> ends_of_heading(const ListRow& row) {
 
 bool is_heading_of_ends(std::string_view line) {
   std::string words(line);
-  std::ranges::replace_if(
-      words, [](char c) { return is_separator(c) || c == '"'; }, ' ');
+  const auto stands_between = [](char c) { return is_separator(c) || c == '"'; };
+  std::replace_if(words.begin(), words.end(), stands_between, ' ');
   ListRow row;
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t begin = words.find_first_not_of(" \t\r", at);

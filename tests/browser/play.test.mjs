@@ -147,11 +147,15 @@ test("10^5 vertices by diamond are drawn, proved and shown while the page answer
   process.stdout.write(`# 10^5 vertices shown after ${Math.round(performance.now() - begin)} ms; longest wait for the page ${longest} ms; ${await text("measures")}\n`);
   assert.equal(await text("proof-word"), "proved");
   await shot(page, "play-1280-large");
-  await page.evaluate(() => { location.hash = "#family=random-4-regular&n=100000&seed=1&a=compact&effort=2"; });
-  await page.locator("#cancel").click();
-  await page.locator("#error", {hasText: "cancelled"}).waitFor();
-  await act(() => paste("D~{\n"));
+  for (const long of ["n=100000&seed=1&a=compact", "n=300&seed=1&a=routed"]) {
+    await page.evaluate(words => { location.hash = `#family=random-4-regular&${words}&effort=2`; }, long);
+    await page.locator("#cancel").click();
+    await page.locator("#error", {hasText: "cancelled"}).waitFor();
+  }
+  await act(() => page.evaluate(() => { location.hash = "#g6=D~{&a=routed"; }));
   assert.equal(await page.evaluate(() => globalThis.ar3d.view.drawing.n), 5);
+  assert.equal(await text("proof-word"), "proved");
+  await shot(page, "play-1280-routed");
 });
 
 test("it reads at 1280 and 390 pixels, light and dark", async () => {
