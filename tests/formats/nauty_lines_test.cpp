@@ -32,6 +32,22 @@ TEST(NautyLines, AgreeWithNautyByteForByte) {
   }
 }
 
+TEST(NautyLines, EveryFirstCharacterIsReadWithoutASuffix) {
+  for (Vertex n = 0; n <= 70; ++n) {  // 28 vertices begin with '[', 60 with '{', as JSON does
+    std::vector<Edge> edges;
+    for (Vertex v = 1; v < n; ++v) edges.push_back({v - 1, v});
+    for (const Graph& graph : {Graph(n, edges), Graph(n, {})}) {
+      for (const char* format : {"graph6", "sparse6"}) {
+        const std::string line = written({graph}, find_graph_format(format));
+        const std::vector<Graph> back = read_text(line);
+        ASSERT_EQ(back.size(), 1u) << line;
+        EXPECT_EQ(back[0].num_vertices(), n);
+        EXPECT_EQ(edge_set(back[0]), edge_set(graph));
+      }
+    }
+  }
+}
+
 TEST(NautyLines, AgreeWithNautyOnEveryPaddingOfPowersOfTwo) {
   for (const char* n : {"1", "2", "3", "4", "5", "7", "8"}) {
     const std::string size = n;
