@@ -184,11 +184,25 @@ class Told(Page):
         self.assertIn(exponent(growth, "longest side"), cells("docs/algorithms.md", "exponent of the longest side")[4])
         self.assertIn(exponent(growth, "volume"), cells("docs/algorithms.md", "exponent of the volume")[4])
 
-    def test_first_table_agrees_with_the_large_one(self):
-        for i, name in enumerate(("diamond", "grid", "two-bend", "compact", "compact-120", "two-bend-109")):
-            first = cells("README.md", f"`{name}`")
-            self.assertEqual(len(first), 4, "five columns")
-            self.assertIn(first[3].strip(), cells("docs/algorithms.md", "random graphs")[i])
+    def test_boxes_of_readme_are_medians_of_the_committed_rows(self):
+        """Of random 4-regular or cubic graphs with default options, rounded to the digits that README prints."""
+        compared = []
+        for study, n, algorithms in (("0.2.0-volume", 10**5, "diamond grid two-bend compact"), ("0.2.0-compact-120", 10**5, "compact-120"),
+                                     ("0.2.0-two-bend-109", 10**4, "two-bend-109"), ("1.0.0-routed", 1000, "routed routed-120")):
+            rows = h5py.File(REFERENCE / f"{study}.h5")["runs"][:]
+            for name in algorithms.split():
+                cell = cells("README.md", f"`{name}`")
+                self.assertEqual(len(cell), 4, "five columns")
+                family = b"random-4-regular" if "≤ 4" in cell[0] else b"random-cubic"
+                usual = [options for options in set(rows["options"]) if re.match(rb"effort=1(;bends=3|$)", options)]
+                mine = rows[(rows["algorithm"] == name.encode()) & (rows["family"] == family) & np.isin(rows["options"], usual)]
+                mine = mine[abs(mine["n"] / n - 1) < 0.01]  # a ladder to 1000 ends just before
+                for axis, said in zip("xyz", cell[3].split("×"), strict=True):
+                    digits, power = re.fullmatch(r" *([\d.]+)(n²|√n|n|) *", said).groups()
+                    value = np.median(mine[f"extent_{axis}"] / mine["n"] ** {"n²": 2.0, "n": 1.0, "√n": 0.5, "": 0.0}[power])
+                    self.assertLessEqual(abs(float(digits) - value), 0.5001 * 10.0 ** -len(digits.partition(".")[2]), f"{name} {axis}: {value}")
+                    compared.append(name)
+        self.assertEqual(len(compared), 24)
 
     def test_short_side_of_grid_is_that_of_the_committed_study(self):
         rows = h5py.File(REFERENCE / "0.2.0-volume.h5")["runs"][:]

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -26,28 +27,34 @@ TEST(Columns, NamesAreUniqueAndDescribed) {
   EXPECT_TRUE(names.contains("extent_z"));
 }
 
-// A table as the schema page shows it; of metrics it names their table.
+// A table as the schema page shows it: columns that differ in their names alone share a line, and of
+// metrics it names their table.
 std::string shown(const StoredTable& table) {
-  std::string page = "| column | type | unit | meaning |\n|---|---|---|---|\n";
-  bool has_metrics = false;
+  std::vector<std::pair<std::string, std::string>> lines;  // names and what they have in common
   for (const Column& column : table.columns) {
-    if (column.kind == ColumnKind::metric) {
-      if (!std::exchange(has_metrics, true)) {
-        page +=
-            "| the metrics: extents, volume, bends, lengths, … | int64 or float64 | | `ar3d list "
-            "metrics` prints name, type, unit and definition of each, in this order: the table of "
-            "`verify/metrics/metrics.h` |\n";
-      }
-      continue;
-    }
+    std::string name =
+        fmt::format("`{}`{}", column.name, column.kind == ColumnKind::instance ? " *" : "");
     constexpr const char* kTypes[] = {"text", "int64", "uint64", "float64"};
     std::string type = kTypes[static_cast<std::size_t>(column.type)];
     const bool is_text = column.type == ColumnType::text;
     if (is_text && column.size > 1) type += fmt::format(", {} bytes", column.size);
-    page += fmt::format("| `{}`{} | {} | {} | {} |\n", column.name,
-                        column.kind == ColumnKind::instance ? " *" : "", type,
-                        column.unit == "1" ? "" : column.unit, column.meaning);
+    std::string rest = fmt::format(" | {} | {} | {} |\n", type,
+                                   column.unit == "1" ? "" : column.unit, column.meaning);
+    if (column.kind == ColumnKind::metric) {
+      name = "the metrics: extents, volume, bends, lengths, …";
+      rest =
+          " | int64 or float64 | | `ar3d list metrics` prints name, type, unit and definition of "
+          "each, in this order: the table of `verify/metrics/metrics.h` |\n";
+    }
+    const auto same = std::ranges::find(lines, rest, &std::pair<std::string, std::string>::second);
+    if (same == lines.end()) {
+      lines.emplace_back(name, rest);
+    } else if (column.kind != ColumnKind::metric) {
+      same->first += ", " + name;
+    }
   }
+  std::string page = "| column | type | unit | meaning |\n|---|---|---|---|\n";
+  for (const auto& [names, rest] : lines) page += "| " + names + rest;
   return page;
 }
 
