@@ -77,7 +77,7 @@ struct WordConstants {
   std::uint64_t step = 0;                ///< for strips: from the line's number in variant 0
 };
 
-/// The place among the constants of variant 0 of an edge; its other variants follow.
+/// The index of the constants of variant 0 of an edge; its other variants follow.
 inline std::size_t word_index(bool red, std::int32_t tail_type, std::int32_t head_type,
                               bool right) {
   return 4 * ((red ? 8u : 0u) + static_cast<std::size_t>(4 * tail_type + 2 * head_type) +

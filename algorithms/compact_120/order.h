@@ -51,7 +51,7 @@ struct Owners {
 
   static constexpr unsigned kNothing = 3;
   unsigned right_edges(Vertex v) const { return sides[2 * std::size_t{v}] & 7u; }
-  /// True if v owns the edge at place k of its row.
+  /// True if v owns the edge at index k of its row.
   bool owns(Vertex v, unsigned k) const {
     const std::size_t right = 2 * std::size_t{v};
     return sides[right] >> 3 == k || sides[right + 1] >> 3 == k;

@@ -16,8 +16,8 @@ constexpr EdgeId kNoEdge = 0xffffffffu;
 constexpr unsigned kUnseen = 4;  ///< beside what a node owns: no search has come to it
 constexpr unsigned kAgain = 5;   ///< its component is to be searched again
 
-/// The place of an edge in a row that has it.
-unsigned place_of(EdgeId edge, const PaddedRow& row) {
+/// The index of an edge in a row that has it.
+unsigned index_of(EdgeId edge, const PaddedRow& row) {
   unsigned k = 0;
   while (row.half[k].edge != edge) ++k;
   return k;
@@ -126,7 +126,7 @@ void ChangingOwners::search_component(Node start) {
   if (unused.from == kNoEdge) {
     make_root(leaf, Owners::kNothing);
   } else {
-    make_root(unused.node, place_of(unused.from, rows_[unused.node / 2]));
+    make_root(unused.node, index_of(unused.from, rows_[unused.node / 2]));
   }
 }
 
@@ -139,7 +139,7 @@ void ChangingOwners::make_root(Node node, unsigned given) {
     if (up == Owners::kNothing) return;
     const HalfEdge edge = rows_[node / 2].half[up];
     node = 2 * edge.to + (1 - node % 2);
-    given = place_of(edge.edge, rows_[edge.to]);
+    given = index_of(edge.edge, rows_[edge.to]);
   }
 }
 

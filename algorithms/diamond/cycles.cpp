@@ -35,7 +35,7 @@ GreenClosing close_green_cycle(Items& green, std::uint32_t cycle, const Whereabo
 
 /// Step 1.5 for red cycles without a contained green cycle: closes at an edge with |dx| != k - 1.
 /// One exists, since a closed walk of k steps of length k - 1 does not visit k distinct integers.
-/// By how many places its first vertex moves on.
+/// @return by how many vertices its first one moves on.
 std::uint32_t close_red_cycle(Items& red, std::uint32_t cycle, const PlanePoints& at) {
   const auto v = red.of(cycle);
   const std::size_t k = v.size();

@@ -87,7 +87,7 @@ class RedStack {
   struct StackedClosing {
     std::uint32_t index;
     std::uint32_t other_item;
-    std::uint32_t other_place;
+    std::uint32_t other_index;
     std::int32_t x_distance;
   };
 
@@ -119,7 +119,7 @@ class RedStack {
     late_.for_each(item, [&](std::uint32_t i) {
       const StackedClosing& closing = closings_[i];
       const std::int32_t without = y(item, closing.index);  // base_ is 0 so far
-      forbidden_.push_back(y(closing.other_item, closing.other_place) + closing.x_distance - top -
+      forbidden_.push_back(y(closing.other_item, closing.other_index) + closing.x_distance - top -
                            without);
     });
     if (forbidden_.empty()) return 0;

@@ -58,7 +58,7 @@ struct Bump {
 
 struct RedCycles {
   std::vector<Bump> bumps;            ///< by natural red item
-  std::vector<std::uint32_t> turned;  ///< likewise: by how many places its first vertex moved on
+  std::vector<std::uint32_t> turned;  ///< likewise: by how many vertices its first one moved on
   std::int64_t contained = 0;         ///< green cycles inside one red item
   std::int64_t rho = 0;               ///< red cycles that contain a green cycle
   std::int64_t lines = 0;             ///< sum of all bumps

@@ -65,7 +65,7 @@ Whereabouts whereabouts(const Items& items) {
 
 Items arranged(Items items, const Arrangement& arrangement) {
   std::uint32_t number = 0;
-  const auto stands = [&](ItemInOrder place) { return place.item == number++ && !place.reversed; };
+  const auto stands = [&](ItemInOrder next) { return next.item == number++ && !next.reversed; };
   if (std::all_of(arrangement.begin(), arrangement.end(), stands)) return items;
   Items result;
   result.vertex.reserve(items.vertex.size());

@@ -75,11 +75,10 @@ using Arrangement = std::vector<ItemInOrder>;
 /// cycle. Cost: O(n), and O(items) if they are in this order already.
 Items arranged(Items items, const Arrangement& arrangement);
 
-/// Holds how many places ahead something is asked for when an order is known whose places in memory
-/// are in no order.
+/// How many elements ahead are prefetched where an order is known but memory is read at random.
 inline constexpr std::size_t kAhead = 16;
 
-/// Calls visit(i, array[order[i]]) for i = begin, ..., end - 1, and asks for elements ahead, beyond
+/// Calls visit(i, array[order[i]]) for i = begin, ..., end - 1, and prefetches elements, beyond
 /// `end` too: the next range is often next.
 template <class Order, class Array, class Visit>
 void for_each_ahead(const Order& order, Array& array, std::size_t begin, std::size_t end,

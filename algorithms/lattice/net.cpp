@@ -9,15 +9,16 @@
 namespace ar3d::lattice {
 namespace {
 
-std::size_t place_of(Point p) {
+/// The index of a point's residues modulo 4.
+std::size_t index_of(Point p) {
   return static_cast<std::size_t>(16 * (p.x & 3) + 4 * (p.y & 3) + (p.z & 3));
 }
 
 std::vector<std::vector<Vector>> diamond_steps() {
   std::vector<std::vector<Vector>> steps(64);
   const std::vector<Vector> up = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
-  for (std::size_t place = 0; place < steps.size(); ++place) {
-    for (const Vector step : up) steps[place].push_back(place / 16 % 2 == 0 ? step : -step);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    for (const Vector step : up) steps[i].push_back(i / 16 % 2 == 0 ? step : -step);
   }
   return steps;
 }
@@ -31,9 +32,9 @@ std::vector<std::vector<Vector>> laves_steps() {
       const Vector step{i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1};
       if (std::abs(step.x) + std::abs(step.y) + std::abs(step.z) != 2) continue;
       const bool is_vertex = std::any_of(vertices.begin(), vertices.end(), [&](Point q) {
-        return place_of(q) == place_of(p + step);
+        return index_of(q) == index_of(p + step);
       });
-      if (is_vertex) steps[place_of(p)].push_back(step);
+      if (is_vertex) steps[index_of(p)].push_back(step);
     }
   }
   return steps;
@@ -54,7 +55,7 @@ const SpaceNet& SpaceNet::laves() {
   return net;
 }
 
-std::span<const Vector> SpaceNet::steps(Point vertex) const { return steps_[place_of(vertex)]; }
+std::span<const Vector> SpaceNet::steps(Point vertex) const { return steps_[index_of(vertex)]; }
 
 bool SpaceNet::are_adjacent(Point p, Point q) const {
   const std::span<const Vector> all = steps(p);

@@ -12,7 +12,7 @@ namespace ar3d::two_bend_120 {
 inline constexpr Vertex kNoVertex = std::numeric_limits<Vertex>::max();
 
 /// A cubic graph with vertices 0..n-1: three half-edges per vertex, whose edges keep the numbers of
-/// the input. A half-edge's place among the three is its slot.
+/// the input. A half-edge's index among the three is its slot.
 using CubicGraph = std::vector<std::array<HalfEdge, 3>>;
 
 /// The slot of an edge among three half-edges, or edges.

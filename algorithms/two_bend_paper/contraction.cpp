@@ -106,10 +106,10 @@ class Contractor {
     step.result = result_.num_nodes();
     step.members.assign(members.begin(), members.end());
     Star star;
-    const auto place = [&](Node node) { return std::find(members.begin(), members.end(), node); };
+    const auto found = [&](Node node) { return std::find(members.begin(), members.end(), node); };
     for (std::size_t m = 0; m < members.size(); ++m) {
       for (const HalfEdge i : result_.stars[members[m]]) {
-        const auto other = place(i.to);
+        const auto other = found(i.to);
         const std::uint8_t slot = result_.ends[i.edge][0] == members[m] ? 0 : 1;
         const auto member = static_cast<std::uint8_t>(m);
         if (other == members.end()) {

@@ -15,7 +15,7 @@ using Node = std::uint32_t;
 /// The edges at a node.
 using Star = boost::container::static_vector<HalfEdge, 3>;
 
-/// Says what is contracted, by its members' places in Contraction::members:
+/// Says what is contracted, by its members' indices in Contraction::members:
 ///   triangle  0, 1, 2
 ///   diamond   tips 0 and 1, mids 2 and 3, which have no edge to the outside
 ///   fat_leaf  0, the common neighbour of the tips 1 and 2; mids 3 and 4

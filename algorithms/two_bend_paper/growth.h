@@ -31,7 +31,7 @@ struct CycleVertex {
 /// (pass), two (merge) or three (triskelion), or a chordless cycle of at least four nodes.
 enum class StepKind : std::uint8_t { line, pass, merge, triskelion, cycle };
 
-/// Holds where a triskelion stands: `order` are the places among Step::below of the two farthest
+/// Holds where a triskelion stands: `order` are the indices in Step::below of the two farthest
 /// feet t and u and of the third, w. Its middle is over the line from t to u, `slide` times the
 /// height of w over that line away from the foot of this height, towards u; it has arms of length
 /// `radius`.

@@ -8,7 +8,7 @@
 
 namespace ar3d::verify {
 
-/// An item's place in a list of items, and the number that it is sorted by.
+/// An item's index in a list of items, and the number that it is sorted by.
 template <class Key>
 struct KeyedBy {
   Key key;

@@ -7,9 +7,9 @@
 // number of threads; tests compare the two on every family.
 //
 // Both steps walk along chains: Step 1.1 twice along chains of linked edges, to orient and to
-// colour them, and Step 1.2 along the paths and cycles of one colour. Each step of a walk reads a
-// place in memory that only the step before it knows, so one walk waits for the memory at every
-// step. Of many walks at a time each prefetches its next place, and the others step meanwhile.
+// colour them, and Step 1.2 along the paths and cycles of one colour. Each step of a walk reads an
+// address that only the step before it knows, so one walk waits for the memory at every step. Of
+// many walks at a time each prefetches its next address, and the others step meanwhile.
 //
 //   cut      A vertex whose number is a multiple of the stride. A long chain is cut there, since
 //            one chain may have all edges, and one walk along it would gain nothing.
@@ -24,7 +24,7 @@
 //            smallest port.
 //   marks    Two bits for each pair of entries, or vertex: nothing is known of it, or one bit is.
 //            They are written along the pieces, and stay in the cache where the graph does not.
-//            Records of 16 bytes at random places were dropped for them.
+//            Records of 16 bytes, read at random, were dropped for them.
 //
 // A closed chain that passes no cut is walked from each of its vertices, in lanes, too; a walk that
 // comes to a smaller vertex than its first stops there, as another walk begins or has begun at it.

@@ -39,7 +39,7 @@ struct TrailStretch {
   }
 };
 
-/// A stretch in its chain, as the plain walk takes it; an edge's number is its place in that walk.
+/// A stretch in its chain, as the plain walk takes it; an edge's number is its index in that walk.
 struct TrailPiece {
   const TrailStretch* stretch = nullptr;
   bool backwards = false;
