@@ -64,6 +64,17 @@ void require_name(const toml::node& node, const std::string& name) {
                                          : "is no name: 1 to 47 letters, digits, '.', '-' or '_'"));
 }
 
+/// Reads a text that is one of the choices.
+TomlReader choice_into(std::string& to, std::vector<std::string> choices) {
+  return [&to, choices = std::move(choices)](const toml::node& node, const std::string& key) {
+    to = toml_text(node, key);
+    if (std::ranges::find(choices, to) == choices.end()) {
+      refuse_toml(
+          node, fmt::format("{} '{}' is none of {}", key, printable(to), fmt::join(choices, ", ")));
+    }
+  };
+}
+
 std::vector<std::int64_t> option_values(const toml::node& given, const std::string& option,
                                         const std::vector<std::string>& command) {
   const bool is_used = std::ranges::any_of(command, [&](const std::string& word) {
@@ -99,20 +110,6 @@ std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
       refuse_toml(command, "command is empty");
     }
   };
-  const auto read_input = [&](const toml::node& input, const std::string& key) {
-    program.input = toml_text(input, key);
-    if (program.input == "edgelist" || program.input == "graph6" || program.input == "sparse6") {
-      return;
-    }
-    refuse_toml(input, fmt::format("input '{}' is none of edgelist, graph6 and sparse6",
-                                   printable(program.input)));
-  };
-  const auto read_coordinates = [&](const toml::node& coordinates, const std::string& key) {
-    program.coordinates = toml_text(coordinates, key);
-    if (program.coordinates == "float" || program.coordinates == "double") return;
-    refuse_toml(coordinates, fmt::format("coordinates '{}' is none of float and double",
-                                         printable(program.coordinates)));
-  };
   const auto read_version = [&](const toml::node& version, const std::string& key) {
     program.version = toml_text(version, key);
     if (program.version.empty() || is_graphs_name(program.version)) return;
@@ -134,9 +131,9 @@ std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
       node, "algorithm",
       {{"name", read_name, true},
        {"command", read_command, true},
-       {"input", read_input},
+       {"input", choice_into(program.input, {"edgelist", "graph6", "sparse6"})},
        {"version", read_version},
-       {"coordinates", read_coordinates},
+       {"coordinates", choice_into(program.coordinates, {"float", "double"})},
        {"one_graph_per_process", into(program.one_graph_per_process)},
        {"time_limit_s", number_into(program.time_limit_s, 1e-3, 1e6)},
        {"time_limit_s_per_vertex", number_into(program.time_limit_s_per_vertex, 0, 1e6)},

@@ -299,7 +299,7 @@ TEST_F(Programs, BadSpecificationsAreRefusedInOneLine) {
       {"name = \"m\"\ncommand = \"x\"\ntime_limit_s = 0", "outside"},
       {"name = \"m\"\ncommand = \"x\"\ntime_limit_s_per_vertex = -1", "outside"},
       {"name = \"m\"\ncommand = \"x\"\none_graph_per_process = 1", "neither true nor false"},
-      {"name = \"m\"\ncommand = \"x\"\ncoordinates = \"half\"", "none of float and double"},
+      {"name = \"m\"\ncommand = \"x\"\ncoordinates = \"half\"", "none of float, double"},
       {"name = \"m\"\ncommand = \"x\"\ncoordinates = \"float\"\nguarantee = { max_degree = 3, "
        "max_bends = 1, cosine = [-1, 2] }",
        "keep no guarantee"},
