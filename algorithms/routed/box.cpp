@@ -47,9 +47,10 @@ CostBox::CostBox(const PointClass& points, const Limits& limits)
 }
 
 void CostBox::set_cost(std::size_t i) {
-  const int uses = uses_[i];
+  const int routes = uses_[i] & kMostUses;
+  const int users = routes + (uses_[i] & kVertex ? kVertexUses : 0);
   costs_[i] = static_cast<std::uint16_t>(
-      uses >= 0x7f ? kBlocked : std::min(kBlocked - 1, history_[i] + price_ * uses));
+      routes == kMostUses ? kBlocked : std::min(kBlocked - 1, history_[i] + price_ * users));
 }
 
 void CostBox::set_uses(int i, int uses) {
@@ -58,9 +59,14 @@ void CostBox::set_uses(int i, int uses) {
   set_cost(at);
 }
 
+void CostBox::put_vertex(int i) {
+  if (uses(i) > 0) shared_.push_back(i);
+  set_uses(i, uses(i) | kVertex);
+}
+
 void CostBox::put(Spot from, const Route& route) {
   walk(from, route, [this](int i) {
-    if (uses(i) == 1) shared_.push_back(i);
+    if (uses(i) == 1 || has_vertex(i)) shared_.push_back(i);
     set_uses(i, uses_[static_cast<std::size_t>(i)] + 1);
   });
 }
@@ -89,17 +95,18 @@ bool CostBox::is_shared(Spot from, const Route& route) const {
 void CostBox::remember_shared(int increase) {
   std::sort(shared_.begin(), shared_.end());
   shared_.erase(std::unique(shared_.begin(), shared_.end()), shared_.end());
-  std::erase_if(shared_, [this](int i) { return uses(i) < 2; });
+  const auto others = [this](int i) { return uses(i) + (has_vertex(i) ? 1 : 0) - 1; };
+  std::erase_if(shared_, [&](int i) { return others(i) < 1; });
   for (const int i : shared_) {
     const auto at = static_cast<std::size_t>(i);
     history_[at] =
-        static_cast<std::uint16_t>(std::min(kMostHistory, history_[at] + increase * (uses(i) - 1)));
+        static_cast<std::uint16_t>(std::min(kMostHistory, history_[at] + increase * others(i)));
     set_cost(at);
   }
 }
 
 void CostBox::refresh(Spot from, const Route& route) {
-  walk(from, route, [this](int i) { set_cost(static_cast<std::size_t>(i)); });
+  walk(from, route, [this](int i) { refresh(i); });
 }
 
 }  // namespace ar3d::routed

@@ -7,8 +7,9 @@
 namespace ar3d::routed {
 
 /// The points of a class in a box, with what it costs a route to pass them: 4 for the step, the
-/// point's history, and the price for each route that passes it already. 5 bytes a point. A point
-/// with a vertex, or with 127 routes, is blocked.
+/// point's history, and the price for each route that passes it already. A vertex there counts as two
+/// routes, so routes and vertices, too, negotiate. 5 bytes a point. A point with 127 routes is
+/// blocked.
 class CostBox {
  public:
   static constexpr int kStep = 4;
@@ -35,11 +36,15 @@ class CostBox {
 
   /// Cost of passing point i above that of the step.
   int cost(int i) const { return costs_[static_cast<std::size_t>(i)]; }
-  int uses(int i) const { return uses_[static_cast<std::size_t>(i)] & 0x7f; }
+  int uses(int i) const { return uses_[static_cast<std::size_t>(i)] & kMostUses; }
   bool has_vertex(int i) const { return (uses_[static_cast<std::size_t>(i)] & kVertex) != 0; }
 
-  void put_vertex(int i) { set_uses(i, uses_[static_cast<std::size_t>(i)] | kVertex); }
-  void take_vertex(int i) { set_uses(i, uses_[static_cast<std::size_t>(i)] & 0x7f); }
+  void put_vertex(int i);
+  void take_vertex(int i) { set_uses(i, uses(i)); }
+  /// Cost of a vertex at point i, beside the routes that pass it.
+  int cost_of_vertex(int i) const {
+    return history_[static_cast<std::size_t>(i)] + kVertexUses * price_ * uses(i);
+  }
   /// Adds a route from `from`, or takes it away; its points have below 127 uses or had it before.
   void put(Spot from, const Route& route);
   void take(Spot from, const Route& route);
@@ -67,13 +72,16 @@ class CostBox {
 
   /// Adds to the history of every point with two routes or more.
   void remember_shared(int increase);
-  /// Sets the price; the points of routes then need refresh().
+  /// Sets the price; the points of vertices and routes then need refresh().
   void set_price(int price) { price_ = price; }
+  void refresh(int i) { set_cost(static_cast<std::size_t>(i)); }
   void refresh(Spot from, const Route& route);
 
  private:
   static constexpr int kBytesPerPoint = 5;
   static constexpr int kVertex = 0x80;
+  static constexpr int kMostUses = 0x7f;
+  static constexpr int kVertexUses = 2;
   static constexpr int kMostHistory = 8000;
   void set_uses(int i, int uses);
   void set_cost(std::size_t i);
@@ -89,7 +97,7 @@ class CostBox {
   std::vector<std::uint16_t> costs_;
   std::vector<std::uint16_t> history_;
   std::vector<std::uint8_t> uses_;
-  std::vector<int> shared_;  // points that have got a second use; some have lost it again
+  std::vector<int> shared_;  // points that a route shares; some have lost it again
 };
 
 }  // namespace ar3d::routed

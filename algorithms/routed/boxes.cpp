@@ -1,8 +1,8 @@
-// Steps R.6 and R.7, the boxes. The placement is scaled into a first box, which grows by layers while
+// Steps R.6 to R.8, the boxes. The placement is scaled into a first box, which grows by layers while
 // few edges in conflict are left. Then the layout is scaled into smaller boxes, all edges routed
-// anew, until that fails once. At last layers are cut off, one face after the other, and only what lay
-// in them is routed anew. Cost: the searches, of which each effort has a count; a box holds 5 bytes a
-// point.
+// anew, until that fails once. Layers are cut off after that, one face after the other, and only what
+// lay in them is routed anew. At last other layouts are tried. Cost: the searches, of which each
+// effort has a count; a box holds 5 bytes a point.
 #include "ar3d/algorithms/routed/boxes.h"
 
 #include <algorithm>
@@ -18,9 +18,12 @@ constexpr std::uint64_t kSeed = 0x726f75746564;  // any fixed number
 constexpr std::uint64_t kStepsPerVertex = 4000;  // of the annealing
 constexpr int kPatience = 25;                    // rounds without gain, all edges routed anew
 constexpr int kPatienceOfCuts = 15;
+constexpr int kPatienceOfScattered = 6;
 constexpr std::uint64_t kSearchesOfScaled = 6;  // for each edge, in a box that is scaled
 constexpr int kFirstBoxes = 10;
-constexpr int kMostLayers = 5;  // that a box grows by before it is given up
+constexpr int kMostLayers = 5;                // that a box grows by before it is given up
+constexpr std::uint64_t kMostOfSmall = 16;    // vertices of graphs that start on random points
+constexpr std::uint64_t kMostPlaced = 50000;  // vertices, by other starts
 
 class BoxSearch {
  public:
@@ -30,12 +33,15 @@ class BoxSearch {
 
   std::optional<Routing> run() {
     const std::uint64_t edges = graph_.num_edges();
-    const std::uint64_t usual = std::min(150 * edges + 2500, 25 * edges + 20000);  // of effort 1
+    const std::uint64_t usual =  // of effort 1
+        std::min(150 * edges + 2500, points_.is_body() ? 25 * edges + 20000 : 18 * edges + 10000);
+    const std::uint64_t most_times = is_small() ? 20 : 10;
     most_searches_ = 2 * usual;
     if (find_first() && options_.effort > 0) {
-      most_searches_ = counts_.searches + (options_.effort == 2 ? 10 * usual : usual);
+      most_searches_ = counts_.searches + (options_.effort == 2 ? most_times * usual : usual);
       scale_down();
       cut_off_layers();
+      try_other_starts();
     }
     expect(!best_ || is_drawing(graph_, points_, bends_, *best_),
            "a routing without conflicts is a drawing");
@@ -43,6 +49,7 @@ class BoxSearch {
   }
 
  private:
+  bool is_small() const { return graph_.num_vertices() <= kMostOfSmall; }
   bool may_go_on() const { return counts_.searches < most_searches_; }
 
   /// Negotiates in a box; the routing is the best one if it is a drawing.
@@ -121,6 +128,57 @@ class BoxSearch {
       auto smaller = cut(graph_, points_, *best_, box);
       if (smaller && try_box(std::move(*smaller), kPatienceOfCuts)) failed = 0;
     }
+  }
+
+  /// New layouts in boxes of fewer points, for the searches that are left.
+  void try_other_starts() {
+    const std::uint64_t most = kMostPlaced / graph_.num_vertices();
+    for (std::uint64_t start = 0; start < most && may_go_on(); ++start) {
+      const auto layout = is_small() ? scattered(start) : placed_anew(start);
+      const int patience = is_small() ? kPatienceOfScattered : kPatience;
+      if (layout && try_box({*layout, {}}, patience)) cut_off_layers();
+    }
+  }
+
+  /// Random points, in a box of random sides that holds at most a third fewer points.
+  std::optional<Layout> scattered(std::uint64_t start) {
+    RandomStream random(kSeed, 3 + start);
+    const Spot best = best_->layout.limits.sides();
+    const int most = best.x * best.y * best.z;
+    std::vector<Spot> boxes;
+    for (int x = 2; x * x * x < most; ++x) {
+      for (int y = x; x * y * y < most; ++y) {
+        for (int z = y; x * y * z < most; ++z) {
+          if (3 * x * y * z >= 2 * most && z <= 2 * y) boxes.push_back({x, y, z});
+        }
+      }
+    }
+    if (boxes.empty()) return std::nullopt;
+    const auto coin = [&] { return static_cast<int>(random.below(2)); };
+    const Spot low = {coin(), coin(), coin()};  // which points are in the class
+    const Spot sides = boxes[random.below(static_cast<std::uint32_t>(boxes.size()))];
+    Layout layout{{low, low + sides - Spot{1, 1, 1}}, {}, {}};
+    for (int i = 0; i < sides.x * sides.y * sides.z; ++i) {
+      const Spot p = low + Spot{i % sides.x, i / sides.x % sides.y, i / sides.x / sides.y};
+      if (points_.contains(p)) layout.at.push_back(p);
+    }
+    if (layout.at.size() < graph_.num_vertices()) return std::nullopt;
+    random.shuffle(std::span(layout.at));
+    layout.at.resize(graph_.num_vertices());
+    const auto frames =
+        points_.is_body() && coin() == 0 ? 1 : static_cast<std::uint32_t>(points_.frames().size());
+    for (std::size_t v = 0; v < layout.at.size(); ++v) {
+      layout.frame.push_back(static_cast<std::uint8_t>(random.below(frames)));
+    }
+    return layout;
+  }
+
+  /// Another placement, in the best box without a layer.
+  std::optional<Layout> placed_anew(std::uint64_t start) {
+    Limits box = best_->layout.limits;
+    box.high = box.high - Spot{start % 3 == 0, start % 3 == 1, start % 3 == 2};
+    return spread(points_, place(graph_, kStepsPerVertex, RandomStream(kSeed, 3 + start)),
+                  choose_frames(graph_, points_, bends_, RandomStream(kSeed, 4 + start)), box);
   }
 
   const Graph& graph_;

@@ -1,6 +1,6 @@
 // Steps R.3 to R.5, negotiated congestion (PathFinder; McMurchie and Ebeling 1995): edges share
 // points at first, for a price that grows, until the price has parted them; the vertices of edges in
-// conflict are moved meanwhile. Edges are searched in groups, side by side against the prices of
+// conflict, and those on routes, are moved meanwhile. Edges are searched in groups, side by side against the prices of
 // that moment; their routes are then taken in turn, each only if it is still not dearer than the old
 // one. So threads change the time and not the drawing. Cost: the searches, nearly.
 #include "ar3d/algorithms/routed/negotiation.h"
@@ -31,9 +31,8 @@ Negotiation::Negotiation(const Graph& graph, const PointClass& points, int bends
       seed_(seed),
       random_(seed),
       conflicts_(graph.num_edges()) {
-  for (std::size_t f = 0; f < (points.is_body() && bends != 4 ? 1 : points.frames().size()); ++f) {
-    frames_.push_back(f);
-  }
+  const bool has_one = points.is_body() && std::ranges::max(now_.layout.frame) == 0;
+  for (std::size_t f = 0; f < (has_one ? 1 : points.frames().size()); ++f) frames_.push_back(f);
   for (const Spot at : now_.layout.at) box_.put_vertex(box_.index(at));
   if (now_.routes.empty()) now_.routes.resize(graph.num_edges());
   for (EdgeId e = 0; e < graph_.num_edges(); ++e) put(e);
@@ -93,7 +92,7 @@ void Negotiation::place(Vertex v, Spot at, std::size_t frame) {
   box_.put_vertex(box_.index(at));
 }
 
-/// What the edges of a vertex cost, each beside all others.
+/// What a vertex and its edges cost, each beside all others.
 int Negotiation::price_edges(Vertex v) {
   std::int64_t total = 0;
   for (const HalfEdge& half : graph_.incident(v)) {
@@ -101,6 +100,7 @@ int Negotiation::price_edges(Vertex v) {
     total += cost_of(half.edge);
     put(half.edge);
   }
+  total += box_.cost_of_vertex(box_.index(now_.layout.at[v]));
   return static_cast<int>(std::min<std::int64_t>(total, CostBox::kNoRoute));
 }
 
@@ -132,10 +132,7 @@ bool Negotiation::settle(const Trial& trial) {
   const auto edges = graph_.incident(v);
   const Spot old_at = now_.layout.at[v];
   const std::size_t old_frame = now_.layout.frame[v];
-  if (!(trial.at == old_at) &&
-      (box_.has_vertex(box_.index(trial.at)) || box_.uses(box_.index(trial.at)) > 0)) {
-    return false;
-  }
+  if (!(trial.at == old_at) && box_.has_vertex(box_.index(trial.at))) return false;
   const int before = price_edges(v);
   std::array<Route, 4> old;
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -143,7 +140,7 @@ bool Negotiation::settle(const Trial& trial) {
     old[k] = now_.routes[edges[k].edge];
   }
   place(v, trial.at, trial.frame);
-  std::int64_t after = 0;
+  std::int64_t after = box_.cost_of_vertex(box_.index(trial.at));
   std::size_t added = 0;
   while (added < edges.size() && after < before + tolerance()) {
     const EdgeId e = edges[added].edge;
@@ -194,6 +191,9 @@ void Negotiation::move_vertices(const std::vector<EdgeId>& edges) {
   for (const EdgeId e : edges) {
     vertices.insert(vertices.end(), {graph_.edge(e).u, graph_.edge(e).v});
   }
+  for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
+    if (box_.uses(box_.index(now_.layout.at[v])) > 0) vertices.push_back(v);
+  }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   random_.shuffle(std::span(vertices));
@@ -216,6 +216,7 @@ void Negotiation::raise_prices(int round) {
   if (price_ / 16 == before) return;
   box_.set_price(price_ / 16);
   for (EdgeId e = 0; e < graph_.num_edges(); ++e) box_.refresh(start(e), now_.routes[e]);
+  for (const Spot at : now_.layout.at) box_.refresh(box_.index(at));
 }
 
 std::size_t Negotiation::run(int patience, std::uint64_t most_searches) {

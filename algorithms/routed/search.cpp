@@ -200,7 +200,7 @@ Route RouteSearch::route_to(const CostFields& fields, Spot at, int d, RandomStre
   return meets_itself(fields, found) ? Route{} : found;
 }
 
-/// The points at most `radius` away, in rows; those that are free are marked by what they cost.
+/// The points at most `radius` away, in rows; those without a vertex are marked by what they cost.
 void RouteSearch::list_places(const CostBox& box, Spot now, int radius) {
   const Limits& limits = box.limits();
   const int z0 = std::max(limits.low.z, now.z - radius);
@@ -223,7 +223,7 @@ void RouteSearch::list_places(const CostBox& box, Spot now, int radius) {
           cost = 0;
         } else if (p.z <= z1) {
           const int i = box.index(p);
-          if (!box.has_vertex(i) && box.uses(i) == 0) cost = box.cost(i);
+          if (!box.has_vertex(i)) cost = box.cost(i);
         }
         place_costs_.push_back(cost);
       }
@@ -258,7 +258,10 @@ int RouteSearch::find_place(const CostBox& box, Spot now, std::span<const End> n
   std::array<std::uint8_t, 4> best{};
   for (std::size_t i = 0; i < bounds_.size(); ++i) {
     if (place_costs_[i] < 0) continue;
-    const int extra = edges * place_costs_[i];  // of routes that pass, not of those that end here
+    Spot at = place_rows_[i / place_lanes_];
+    at.z += 2 * static_cast<int>(i % place_lanes_);
+    // What routes pay that pass the point, not those that end here, less what the vertex pays.
+    const int extra = edges * place_costs_[i] - box.cost_of_vertex(box.index(at));
     if (bounds_[i] - extra > limit || (bounds_[i] - extra == limit && ties == 0)) continue;
     for (const std::size_t frame : frames) {
       std::array<std::uint8_t, 4> arms{};
@@ -268,8 +271,6 @@ int RouteSearch::find_place(const CostBox& box, Spot now, std::span<const End> n
       ties = cost < limit ? 1 : ties + 1;
       limit = cost;
       if (ties > 1 && random.below(ties) != 0) continue;
-      Spot at = place_rows_[i / place_lanes_];
-      at.z += 2 * static_cast<int>(i % place_lanes_);
       found = {at, frame, {}};
       best = arms;
     }

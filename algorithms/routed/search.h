@@ -30,7 +30,7 @@ class RouteSearch {
            RandomStream& random, Route& found);
 
   /// Finds the point at most `radius` from `now`, the frame and the arms with which routes from the
-  /// neighbours cost least in sum, each priced alone; one of several at random.
+  /// neighbours and the vertex cost least in sum, each priced alone; one of several at random.
   /// @param frames  that are allowed, as numbers.
   /// @return the sum, and the place; `limit` if there is none below.
   int find_place(const CostBox& box, Spot now, std::span<const End> neighbours,
@@ -65,7 +65,7 @@ class RouteSearch {
   int bends_;
   std::vector<CostFields> fields_;  // of the first end, or of each neighbour
   std::vector<std::size_t> passed_;
-  // The places of a vertex: rows of points, what they cost routes (-1: not free), a bound from below
+  // The places of a vertex: rows of points, what they cost routes (-1: a vertex is there), a bound from below
   // for the vertex there; least costs of arriving, by neighbour and arm.
   std::vector<Spot> place_rows_;
   std::size_t place_lanes_ = 0;
