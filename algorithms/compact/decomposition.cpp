@@ -7,7 +7,7 @@
 namespace ar3d::compact {
 
 Decomposition decompose(const Graph& graph) {
-  constexpr Vertex kAhead = 16;  // heads are asked for so many edges before they are written
+  constexpr Vertex kAhead = 16;  // heads are prefetched so many edges before they are written
   const diamond::TwoColouring colours = diamond::fast::colouring(graph);
   static_assert(diamond::kNone == kNobody);
   const HalfEdge nothing{kNobody, kNobody};

@@ -128,7 +128,7 @@ class NarrowPlacer {
     }
   }
 
-  /// Asks for the edges of v's neighbours, or for what removing one of them reads of these.
+  /// Prefetches the edges of v's neighbours, or what removing one of them reads of these.
   void prefetch_ejection(Vertex v, bool edges_are_there) const {
     for (const HalfEdge& edge : links_.at[v]) {
       if (edge.to == kNobody) continue;

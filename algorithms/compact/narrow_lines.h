@@ -62,7 +62,7 @@ class NarrowLines {
   /// Begins or ends an arrival on the line.
   void flip_arrival(std::uint64_t line) { bits_[line / 32] ^= kArrival << shift_of(line); }
 
-  // Ask the memory for what is_free() will read, without waiting: always, and of lines with pieces.
+  // Prefetch what is_free() will read: always, and of lines with pieces.
   void prefetch(std::uint64_t line) const { __builtin_prefetch(&bits_[line / 32]); }
   void prefetch_pieces(std::uint64_t line) const {
     pieces_.prefetch(bits_of(line) == kPiece ? line

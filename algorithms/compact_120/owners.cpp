@@ -1,8 +1,8 @@
 // Step D.4: owners. A search from any node of a component directs every edge it uses to its parent:
 // each node but the root owns the edge to its parent. The root is then moved to a leaf or, if there
 // is a cycle, to an end of the edge that the search did not use, which the root owns. Cost: O(n).
-// What the searches read at random is a byte per node and the graph's rows, which are asked for when
-// a node is found. Late repairs of an order change few components, so only those with an end of an
+// What the searches read at random is a byte per node and the graph's rows, which are prefetched
+// when a node is found. Late repairs of an order change few components, so only those with an end of an
 // edge whose ends changed sides are searched again, each from its first node, as at first.
 #include <algorithm>
 
@@ -67,7 +67,7 @@ void ChangingOwners::set_owned(Node node, unsigned k) {
   owners_.sides[node] = static_cast<std::uint8_t>((owners_.sides[node] & 7u) | k << 3);
 }
 
-/// Asks for what a search that comes to a vertex reads.
+/// Prefetches what a search that comes to a vertex reads.
 void ChangingOwners::prefetch(Vertex v) const {
   __builtin_prefetch(&rows_[v]);
   __builtin_prefetch(&owners_.sides[2 * std::size_t{v}], 1);

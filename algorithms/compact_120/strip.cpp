@@ -46,7 +46,7 @@ bool Strip::plan_edge(const ArmLink& link, const Quad& own, Plan& plan) const {
   return false;
 }
 
-/// Asks for the line of variant 0, which is mostly the one that is taken.
+/// Prefetches the line of variant 0, which is mostly the one that is taken.
 void Strip::prefetch_line(const ArmLink& link, const Quad& own) const {
   lines_.prefetch(route_of(link, 0, own, quad_of(sites_[link.to])).middle().line);
 }

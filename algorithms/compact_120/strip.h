@@ -129,8 +129,8 @@ class Strip {
   /// Takes a placed vertex and its edges away; not with whole lines.
   void remove(Vertex v);
 
-  // Ask the memory for what is going to be read, without waiting: the places of the neighbours of
-  // v; the edges of its neighbours; what remove() of a neighbour reads of these.
+  // Prefetch the places of the neighbours of v; the edges of its neighbours; what remove() of a
+  // neighbour reads of these.
   void prefetch_edges(Vertex v) const { __builtin_prefetch(&links_->at[v]); }
   void prefetch_neighbours(Vertex v) const;
   void prefetch_edges_of_neighbours(Vertex v) const;

@@ -70,7 +70,7 @@ class ParityPlacer {
  private:
   std::int32_t x_distance(Vertex u, Vertex v) const { return std::abs(at_[u].X - at_[v].X); }
 
-  /// Asks for the ends of items ahead, since there may be many short ones.
+  /// Prefetches the ends of items, since there may be many short ones.
   template <class Rule>
   void for_each_cycle(const Items& items, const Rule& rule) const {
     constexpr std::uint32_t kFew = kAhead / 2;

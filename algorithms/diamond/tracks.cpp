@@ -177,15 +177,15 @@ class Labels {
       reach.a_plus_b.low = std::min(reach.a_plus_b.low, p.a + track);
       reach.length = std::max(reach.length, length(p, q, track));
     };
-    // Edges of the next items are asked for too; the last edge stands for none.
+    // Edges of the next items are prefetched, too; the last edge stands for none.
     const auto ahead = static_cast<std::size_t>(edges_end_ - edges);
-    const auto ask = [&](EdgeId e) { __builtin_prefetch(&code[std::min(e, last_edge_)], 1); };
+    const auto prefetch = [&](EdgeId e) { __builtin_prefetch(&code[std::min(e, last_edge_)], 1); };
     std::uint32_t i = begin;
     if (sign < 0 && i < end) down(i++);
     for (; i + 1 < end; i += 2) {
       if (i + kAhead + 1 < ahead) {
-        ask(edges[i + kAhead]);
-        ask(edges[i + kAhead + 1]);
+        prefetch(edges[i + kAhead]);
+        prefetch(edges[i + kAhead + 1]);
       }
       up(i);
       down(i + 1);

@@ -56,7 +56,7 @@ class HeightPool {
   bool suits(Index v, Colour c, std::int64_t h) const;
   bool is_far_from_partner(Index v, std::int64_t pair) const;
 
-  /// Asks for the memory of v, and then of its partner, before they are needed.
+  /// Prefetches what is kept of v, and then of its partner.
   [[gnu::always_inline]] void prefetch(Index v) const {
     __builtin_prefetch(&ports_[v]);
     __builtin_prefetch(&x_[v], 1);

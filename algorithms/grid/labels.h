@@ -41,7 +41,7 @@ class EdgeLabels {
     const unsigned s = shift(v, to);
     both_[e] = static_cast<std::uint8_t>((both_[e] & ~(3u << s)) | (label << s));
   }
-  /// Asks for the memory of e's labels before they are needed.
+  /// Prefetches e's labels.
   void prefetch(EdgeId e) const { __builtin_prefetch(&both_[e], 1); }
 
  private:

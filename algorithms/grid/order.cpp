@@ -108,7 +108,7 @@ class BreadthFirst {
 ProcessingOrder processing_order(const Graph& graph) { return BreadthFirst(graph).run(); }
 
 // The graph renumbered in processing order, before Step 3.9: all later stages read it forwards.
-// Entries are asked for 8 and 16 indices ahead of use, since the far ends of edges are cache
+// Entries are prefetched 8 and 16 indices ahead of use, since the far ends of edges are cache
 // misses. O(n + m).
 
 UnwrittenVector<PlacedRow> neighbours_in_order(const Graph& graph, const ProcessingOrder& order) {

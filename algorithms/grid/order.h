@@ -13,7 +13,7 @@ namespace ar3d::grid {
 
 /// A vertex's index in the processing order (ProcessingOrder::sequence).
 using Index = std::uint32_t;
-inline constexpr Index kAhead = 8;  ///< indices between asking for memory and using it
+inline constexpr Index kAhead = 8;  ///< indices between prefetch and use
 inline constexpr Index kNoIndex = std::numeric_limits<Index>::max();
 
 /// One component's indices [begin, end) in the processing order.

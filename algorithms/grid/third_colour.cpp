@@ -56,7 +56,7 @@ class ThirdColour {
 
   /// Memory that number() reads for the vertices that come next, on its way.
   [[gnu::always_inline]] void prefetch_ahead(Index v) const {
-    const auto ask = [&](Index w) __attribute__((always_inline)) {
+    const auto prefetch = [&](Index w) __attribute__((always_inline)) {
       for (const Index to : ports_[w].to) {
         if (to != kNoIndex) __builtin_prefetch(&x_[to]);
       }
@@ -64,11 +64,11 @@ class ThirdColour {
     const Index near = v + kAhead;
     if (near < part_.end && x_[near][2] == kUnsetNumber) {
       const Index partner = ports_[near].to[2];
-      if (partner != kNoIndex) ask(partner);
+      if (partner != kNoIndex) prefetch(partner);
     }
     const Index far = v + 2 * kAhead;
     if (far < part_.end) {
-      ask(far);
+      prefetch(far);
       const Index partner = ports_[far].to[2];
       if (partner != kNoIndex) __builtin_prefetch(&ports_[partner]);
     }

@@ -40,7 +40,7 @@ class Lines {
 
   /// True if no stored piece overlaps this one (touching is overlapping). O(1) expected.
   bool is_free(const Piece& piece) const;
-  /// Asks the memory for what is_free() of a piece on that line will read, without waiting.
+  /// Prefetches what is_free() of a piece on that line will read.
   void prefetch(std::uint64_t line) const { __builtin_prefetch(&entries_[home(line)]); }
   void insert(const Piece& piece);
   /// Removes a stored piece; true if its line has others. @throws InternalError if it is not

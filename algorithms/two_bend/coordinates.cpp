@@ -79,7 +79,7 @@ Values number_list(const View& view, const LongVector<NodeId>& list, const Spaci
   for (std::size_t i = 0; i < list.size(); ++i) {
     const NodeId v = list[i];
     if (i + kAhead < list.size()) {
-      view.ask_type_of(list[i + kAhead]);
+      view.prefetch_type_of(list[i + kAhead]);
       prefetch(values, list[i + kAhead]);
     }
     const NodeType type = view.type(v);
@@ -111,14 +111,14 @@ OddInterval interval_of(const View& view, const Values& values, NodeId merge) {
 
 void choose_middle_values(const View& view, bool relaxes, Values& values) {
   for (NodeId i = view.size(); relaxes && i-- > 0;) {
-    view.ask(i - kAhead, values);
-    view.ask_types(i - kAhead);
+    view.prefetch_neighbours(i - kAhead, values);
+    view.prefetch_types(i - kAhead);
     relax_merge(view, values, view.at(i));
   }
   for (NodeId i = 0; i < view.size(); ++i) {  // what lies below a free MERGE has its index
     const NodeId m = view.at(i);
-    view.ask(i + kAhead, values);
-    view.ask_types(i + kAhead);
+    view.prefetch_neighbours(i + kAhead, values);
+    view.prefetch_types(i + kAhead);
     if (view.is_free_merge(m)) {
       const auto above = view.outs(m);
       if (!above.empty() && view.type(above[0]) == NodeType::split) continue;

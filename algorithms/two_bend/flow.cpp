@@ -73,7 +73,7 @@ class FlowBuilder {
     return count;
   }
 
-  /// Asks memory, in four steps, for what the indices soon after i need.
+  /// Prefetches, in four steps, what the indices soon after i need.
   [[gnu::always_inline]] void prefetch_node(std::uint32_t i) const {
     if (i + 4 * kAhead >= order_.size()) return;
     const Vertex far = order_[i + 4 * kAhead];

@@ -123,10 +123,10 @@ class View {
   NodeId size() const { return static_cast<NodeId>(flow_->nodes.size()); }
   /// The i-th node in the view's time.
   NodeId at(NodeId i) const { return columns_ ? size() - 1 - i : i; }
-  /// Asks memory for an array's entries of the neighbours of the i-th node, if there is one; i may
+  /// Prefetches an array's entries of the neighbours of the i-th node, if there is one; i may
   /// have wrapped below 0.
   template <class T>
-  [[gnu::always_inline]] void ask(NodeId i, const LongVector<T>& array) const {
+  [[gnu::always_inline]] void prefetch_neighbours(NodeId i, const LongVector<T>& array) const {
     if (i >= size()) return;
     for (const NodeId u : flow_->nodes[at(i)].neighbour) prefetch(array, u);
   }
@@ -141,11 +141,13 @@ class View {
   const Pole& pole(NodeId v) const { return flow_->poles[flow_->pole_of(v)]; }
   /// The node whose row v stands in: v itself, or for a SPLIT one below it (see share_rows).
   NodeId row_of(NodeId v) const { return flow_->row_owner[columns_ ? 1 : 0][v]; }
-  [[gnu::always_inline]] void ask_rows(NodeId i) const {
-    ask(i, flow_->row_owner[columns_ ? 1 : 0]);
+  [[gnu::always_inline]] void prefetch_rows(NodeId i) const {
+    prefetch_neighbours(i, flow_->row_owner[columns_ ? 1 : 0]);
   }
-  [[gnu::always_inline]] void ask_types(NodeId i) const { ask(i, flow_->types[columns_ ? 1 : 0]); }
-  [[gnu::always_inline]] void ask_type_of(NodeId v) const {
+  [[gnu::always_inline]] void prefetch_types(NodeId i) const {
+    prefetch_neighbours(i, flow_->types[columns_ ? 1 : 0]);
+  }
+  [[gnu::always_inline]] void prefetch_type_of(NodeId v) const {
     prefetch(flow_->types[columns_ ? 1 : 0], v);
   }
   /// Has an even row of its own.

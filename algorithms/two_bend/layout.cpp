@@ -111,7 +111,7 @@ class LayoutSearch : private NumberedLists {
     return false;
   }
 
-  /// Asks memory for what the values of a VV edge soon to be chosen depend on.
+  /// Prefetches what the values of a VV edge soon to be chosen depend on.
   [[gnu::always_inline]] void prefetch_vv_edge(std::size_t i) const {
     if (i >= vv_.size()) return;
     const LongEdge& edge = flow_.edges[vv_[i]];

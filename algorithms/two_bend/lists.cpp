@@ -44,8 +44,8 @@ class Sharing {
     bool changed = false;
     for (NodeId i = view_.size(); i-- > 0;) {
       const NodeId v = view_.at(i);
-      view_.ask(i - kAhead, reach_);
-      view_.ask(i - kAhead, cross_);
+      view_.prefetch_neighbours(i - kAhead, reach_);
+      view_.prefetch_neighbours(i - kAhead, cross_);
       if (view_.type(v) != NodeType::split) continue;
       NodeId a = view_.outs(v)[0];
       NodeId b = view_.outs(v)[1];
@@ -131,7 +131,7 @@ bool set_owners(Flow& flow, const View& view, LongVector<std::uint8_t>& shares) 
   bool changed = false;
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId v = view.at(i);
-    view.ask(i + kAhead, owner);
+    view.prefetch_neighbours(i + kAhead, owner);
     owner[v] = shares[v] ? owner[view.ins(v)[0]] : v;
     if (view.type(v) == NodeType::split) {
       roles[v] = static_cast<std::uint8_t>((roles[v] & ~(kOwner | kSharesRow)) |
@@ -198,7 +198,7 @@ Values guess_rows(const Flow& flow, bool columns) {
   for (const NodeId owner : order_owners(view, attachment)) guess[owner] = index += 4;
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId m = view.at(i);
-    view.ask(i + kAhead, guess);
+    view.prefetch_neighbours(i + kAhead, guess);
     if (attachment[m] == kNone) continue;
     const NodeId other = view.ins(m)[view.ins(m)[0] == attachment[m] ? 1 : 0];
     guess[m] = guess[attachment[m]] + (guess[other] < guess[attachment[m]] ? -1 : 1);

@@ -31,7 +31,7 @@ class EntryList {
   /// All entries. Walks from several indices at once, so that reads of memory overlap.
   LongVector<NodeId> in_order() const;
   bool contains(NodeId v) const { return links_[v].cluster != kNone; }
-  /// Asks memory for an entry.
+  /// Prefetches an entry.
   [[gnu::always_inline]] void prefetch_entry(NodeId v) const { prefetch(links_, v); }
 
   bool before(NodeId u, NodeId v) const;

@@ -72,7 +72,7 @@ void ComponentReader::read(Vertex v, Vertex parent, LocalGraph& out) {
   }
 }
 
-/// Asks memory, in two steps, for what the i-th vertex's row needs.
+/// Prefetches, in two steps, what the i-th vertex's row needs.
 [[gnu::always_inline]] inline void ComponentReader::prefetch_row(const LongVector<Vertex>& name,
                                                                  std::size_t i) const {
   constexpr std::size_t kFar = std::size_t{2} * kAhead;

@@ -14,10 +14,10 @@ namespace ar3d::two_bend {
 
 inline constexpr Vertex kNoVertex = std::numeric_limits<Vertex>::max();
 
-/// Loops that gather from far apart ask for entries this many steps before they use them: several
+/// Loops that gather from far apart prefetch entries this many steps before they use them: several
 /// waits for memory then overlap.
 inline constexpr std::uint32_t kAhead = 16;
-/// Asks memory for an entry of an array; any index is allowed. It and all that only call it are
+/// Prefetches an entry of an array; any index is allowed. It and all that only call it are
 /// always inlined: g++ 12 drops calls of functions that do nothing else.
 template <class T>
 [[gnu::always_inline]] inline void prefetch(const LongVector<T>& array, std::size_t i) {

@@ -95,7 +95,7 @@ class Output {
   /// first edge it is, z relative to the end in whose slab they are.
   LongBends& bends(EdgeId e) { return bends_->of_edge[e]; }
 
-  /// Ask memory for what is soon to be set.
+  /// Prefetch what is soon to be set.
   [[gnu::always_inline]] void prefetch_vertex(Vertex v) const {
     if (vertices_) {
       vertices_->prefetch(v);

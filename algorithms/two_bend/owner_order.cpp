@@ -36,8 +36,8 @@ Attachment attach_merges(const View& view) {
   Attachment attachment(view.size(), kNone);
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId m = view.at(i);
-    view.ask_rows(i + kAhead);
-    view.ask_types(i + kAhead);
+    view.prefetch_rows(i + kAhead);
+    view.prefetch_types(i + kAhead);
     if (!view.is_listed_merge(m)) continue;
     const auto below = view.ins(m);
     const NodeId chosen = reluctance(below[0]) <= reluctance(below[1]) ? below[0] : below[1];
@@ -76,8 +76,8 @@ class Forest {
     }
     for (NodeId i = 0; i < view_.size(); ++i) {
       const NodeId v = view_.at(i);
-      view_.ask(i + kAhead, trees_);
-      view_.ask_types(i + kAhead);
+      view_.prefetch_neighbours(i + kAhead, trees_);
+      view_.prefetch_types(i + kAhead);
       if (view_.type(v) == NodeType::source) {
         place_unit(unit_of(view_, view_.pole(v)));
       } else if (is_initial_owner(v) && tree_above(v) == kNone) {
@@ -145,7 +145,7 @@ class Forest {
   void weigh(const LongVector<std::uint32_t>& weights) {
     for (NodeId i = view_.size(); i-- > 0;) {
       const NodeId v = view_.at(i);
-      view_.ask_rows(i - 2 * kAhead);
+      view_.prefetch_rows(i - 2 * kAhead);
       if (i >= kAhead) find_parent(view_.at(i - kAhead));
       if (i + kAhead >= view_.size()) find_parent(v);
       Tree& tree = trees_[v];
@@ -158,7 +158,7 @@ class Forest {
     }
   }
 
-  /// Also asks memory for what v is added to.
+  /// Also prefetches what v is added to.
   void find_parent(NodeId v) {
     trees_[v].parent = parent_of(v);
     const NodeId to = attachment_[v] != kNone ? attachment_[v] : trees_[v].parent;

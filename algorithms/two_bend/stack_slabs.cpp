@@ -165,7 +165,7 @@ class Writer {
     }
   }
 
-  /// Asks memory for what edges soon to be written need.
+  /// Prefetches what edges soon to be written need.
   [[gnu::always_inline]] void prefetch_edge(LongId e) const {
     const auto& edges = in_.flow.edges;
     if (e + kAhead >= edges.size()) return;

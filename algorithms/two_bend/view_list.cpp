@@ -53,9 +53,9 @@ class ListBuilder {
   }
 
  private:
-  /// Asks memory, in two steps, for the entries that the MERGEs soon after i are put between.
+  /// Prefetches, in two steps, the entries that the MERGEs soon after i are put between.
   [[gnu::always_inline]] void prefetch_ahead(NodeId i) const {
-    view_.ask_rows(i + 2 * kAhead);
+    view_.prefetch_rows(i + 2 * kAhead);
     if (i + kAhead >= view_.size()) return;
     const NodeId v = view_.at(i + kAhead);
     if (!view_.is_listed_merge(v)) return;

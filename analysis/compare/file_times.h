@@ -79,7 +79,7 @@ FileTimes judge_file_times(const std::vector<CellTimes>& cells,
 /// Returns medians of the logarithms of the yardsticks of all rows; NaN: there are none.
 std::array<double, 3> yardsticks_of(const Results& results);
 
-/// Returns what a person is told: how fast the machine was.
+/// Returns the sentence that says how fast the machine was.
 std::string times_sentence(const FileTimes& times);
 
 }  // namespace ar3d

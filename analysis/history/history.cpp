@@ -1,5 +1,5 @@
 // Reads a folder of results files in order, joins what is measured alike into lines, and looks for
-// changes in each. What changed in cells is told by commit and setting.
+// changes in each. Changes of cells are listed by commit and setting.
 #include "ar3d/analysis/history/history.h"
 
 #include <fmt/format.h>

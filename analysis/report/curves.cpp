@@ -12,7 +12,7 @@
 namespace ar3d::report {
 namespace {
 
-constexpr double kFarBound = 1.5;       // decades: a bound further up is told, not drawn
+constexpr double kFarBound = 1.5;       // decades: a bound further up is named, not drawn
 constexpr double kPointBudget = 60000;  // points of a page
 constexpr double kLineBudget = 66000;   // sizes of a page's lines
 constexpr std::size_t kMostBinsOfALine = 16;

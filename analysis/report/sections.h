@@ -63,7 +63,7 @@ Quantity nearest_side(const Section& section);
 std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve);
 /// Returns the unit of a quantity of the setting's drawings.
 const char* unit_of(const Section& section, Quantity quantity);
-/// Returns the interval that a growth is told with (docs/analysis.md, Growth, points 4 and 5).
+/// Returns the interval that is shown with a growth (docs/analysis.md, Growth, points 4 and 5).
 Interval told_interval(const ScalingEntry& entry);
 
 /// Represents the graphs that tables point at by their rows: the table `graphs` says what each is.

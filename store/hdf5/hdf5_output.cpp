@@ -10,7 +10,7 @@
 namespace ar3d {
 namespace {
 
-constexpr const char* kPlace = "/dev/null";  // what the plain driver opens before it is told better
+constexpr const char* kPath = "/dev/null";  // for the plain driver, which writes elsewhere
 
 thread_local int t_descriptor = -1;  // where the bytes of this thread's file go
 thread_local int t_error = 0;        // errno of the first write that failed
@@ -19,7 +19,7 @@ const H5FD_class_t& plain_driver() {
   static const H5FD_class_t driver = [] {
     const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create properties");
     hdf5_checked(H5Pset_fapl_sec2(access.get()), "choose a file driver");
-    H5FD_t* const file = H5FDopen(kPlace, H5F_ACC_RDONLY, access.get(), HADDR_UNDEF);
+    H5FD_t* const file = H5FDopen(kPath, H5F_ACC_RDONLY, access.get(), HADDR_UNDEF);
     if (file == nullptr) throw_hdf5_error("look at a file driver");
     const H5FD_class_t plain = *file->cls;
     H5FDclose(file);
@@ -29,7 +29,7 @@ const H5FD_class_t& plain_driver() {
 }
 
 H5FD_t* open_file(const char*, unsigned flags, hid_t properties, haddr_t largest) {
-  H5FD_t* const file = plain_driver().open(kPlace, flags, properties, largest);
+  H5FD_t* const file = plain_driver().open(kPath, flags, properties, largest);
   void* handle = nullptr;  // leads to the descriptor that the plain driver reads and writes
   if (file == nullptr) return nullptr;
   if (plain_driver().get_handle(file, properties, &handle) >= 0 &&
@@ -85,7 +85,7 @@ int write_hdf5_file(int descriptor, const std::function<void(hid_t file)>& fill)
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create properties");
   hdf5_checked(H5Pset_driver(access.get(), checked_driver(), nullptr), "choose the file driver");
   {
-    const Hdf5Handle file(H5Fcreate(kPlace, H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
+    const Hdf5Handle file(H5Fcreate(kPath, H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
                           "create a file");
     fill(file.get());
     hdf5_checked(H5Fflush(file.get(), H5F_SCOPE_GLOBAL), "flush");

@@ -1,5 +1,5 @@
 // A process of its own for a library that forged files can crash: what it breaks there is only its
-// own memory, and all that comes back is bytes of a length that is told before.
+// own memory, and all that comes back is bytes whose length is sent first.
 #include "ar3d/store/hdf5/reader_process.h"
 
 #include <fcntl.h>

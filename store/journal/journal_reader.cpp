@@ -1,5 +1,5 @@
 // A journal's lines, checked one after the other, and its rows by number. What a crash cut short
-// at the end is left out; damage before it is told with its offset.
+// at the end is left out; damage before it is reported with its offset.
 #include "ar3d/store/journal/journal_reader.h"
 
 #include <fcntl.h>

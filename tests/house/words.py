@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 MOST_WORDS, MOST_CHARACTERS = 30, 120
-HOUSE_WORDS = re.compile(r"\b(whoever|nobody|somebody|but for|for who|ask_ahead|ask_for|orphanage|manner|hopeless)\b", re.I)
+HOUSE_WORDS = re.compile(r"\b(whoever|nobody|somebody|but for|for who|ask_ahead|ask_for|asks? (?:the |for )?memory|orphanage|manner|hopeless)\b", re.I)
 NUMBERED = re.compile(r"\*\*(Lemma|Rule|Repair|Step|Theorem)[ .]|\*Proof")
 FOLDERS = ("algorithms", "analysis", "apps", "base", "bench", "formats", "generators", "model", "optimum", "python", "store", "verify")
 OTHER = re.compile(r"\||<|!\[|#|\$\$|\[[^]]*\]: ")  # tables, pictures, headings
