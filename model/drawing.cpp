@@ -158,7 +158,7 @@ Box bounding_box(const Drawing& drawing) {
     box.add(drawing.vertex(static_cast<Vertex>(v)));
   }
   for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
-    for (const Point p : points) box.add(p);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) box.add(points[i]);
   });
   return box.box();
 }

@@ -9,8 +9,8 @@ namespace ar3d::verify {
 namespace {
 
 /// A key that orders as the number does.
-std::uint64_t key_of(std::int32_t value, std::int32_t least) {
-  return static_cast<std::uint64_t>(std::int64_t{value} - least);
+std::uint32_t key_of(std::int32_t value, std::int32_t least) {
+  return static_cast<std::uint32_t>(value) - static_cast<std::uint32_t>(least);
 }
 
 /// The records from `begin` on that lie in the same plane.
@@ -58,14 +58,14 @@ void CrowdedPlanes::sort_records(Records from, bool along, std::vector<PlaneReco
   }
   sort_by_key(order_, buffer_);
   if (along) {
-    for (Keyed& item : order_) item.key = key_of(from[item.item].at, least.at);
+    for (ShortKeyed& item : order_) item.key = key_of(from[item.item].at, least.at);
     sort_by_key(order_, buffer_);
   }
   if (!one_plane) {
-    for (Keyed& item : order_) item.key = from[item.item].plane;
+    for (ShortKeyed& item : order_) item.key = from[item.item].plane;
     sort_by_key(order_, buffer_);
   }
-  for (const Keyed& item : order_) to.push_back(from[item.item]);
+  for (const ShortKeyed& item : order_) to.push_back(from[item.item]);
 }
 
 /// On a line without overlaps only consecutive segments can touch.

@@ -37,10 +37,10 @@ class CrowdedPlanes {
   std::vector<std::int32_t> places_;  ///< of the plane's rows, ascending
   std::vector<std::uint32_t> table_;  ///< entry (place - first place) >> shift_: where to begin
   unsigned shift_ = 0;
-  std::vector<Keyed> order_;
-  std::vector<Keyed> by_low_;  ///< the plane's rows
-  std::vector<Keyed> by_high_;
-  std::vector<Keyed> buffer_;
+  std::vector<ShortKeyed> order_;
+  std::vector<ShortKeyed> by_low_;  ///< the plane's rows
+  std::vector<ShortKeyed> by_high_;
+  std::vector<ShortKeyed> buffer_;
   std::vector<std::int32_t> tree_;  ///< Fenwick's, of the active rows
 };
 

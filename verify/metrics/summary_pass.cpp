@@ -21,9 +21,11 @@ void SummaryPass::add(const std::vector<Point>& points) {
   if (bends >= summary_.bend_histogram.size()) summary_.bend_histogram.resize(bends + 1);
   ++summary_.bend_histogram[bends];
   summary_.segments += points.size() - 1;
+  GrowingBox box = box_;  // has the vertices
+  for (std::size_t i = 1; i <= bends; ++i) box.add(points[i]);
+  box_ = box;
   for (std::size_t i = 1; i < points.size(); ++i) {
     summary_.repeated_points += points[i] == points[i - 1];
-    box_.add(points[i]);  // the first point is a vertex
   }
   if (lengths_ && in_range()) add_lengths(points);  // else differences might not fit
 }
@@ -41,7 +43,7 @@ void SummaryPass::absorb(const SummaryPass& other) {
 }
 
 void SummaryPass::add_lengths(const std::vector<Point>& points) {
-  const Lattice& lattice = drawing_.lattice();
+  const Lattice lattice = drawing_.lattice();  // a copy: looked at once for all segments
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     length += approximate_length(lattice, points[i] - points[i - 1]);
