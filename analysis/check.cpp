@@ -176,7 +176,7 @@ bool breaks_promise(const RunRecord& run) {
                      [](const Finding& finding) { return is_violation(finding.kind); });
 }
 
-CheckVerdict check(const Rows& rows) {
+CheckVerdict check(const Rows& rows, const std::string& one_study) {
   CheckVerdict verdict;
   verdict.rows = rows.size();
   const ShowCommand show(rows);
@@ -198,9 +198,12 @@ CheckVerdict check(const Rows& rows) {
     verdict.findings.push_back(std::move(finding));
   };
   bool any_drawn = false;
+  std::optional<OneStudy> of_study;
+  if (!one_study.empty()) of_study.emplace();
   std::vector<Fingerprint> prints(rows.size());
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const RunRecord& run = rows.run(row);
+    if (of_study) of_study->add(run, row);
     for (Finding& finding : row_findings(run, row)) add(std::move(finding), &run);
     is_ok[row] = run.status == RunStatus::ok && !is_unproved(run);
     verdict.unproved += is_unproved(run);
@@ -210,6 +213,8 @@ CheckVerdict check(const Rows& rows) {
     verdict.measured += run.status == RunStatus::measured;
     prints[row] = fingerprint_of(run, row);
   }
+  if (of_study) of_study->require(rows, one_study);
+  of_study.reset();  // its memory
   std::sort(prints.begin(), prints.end());
   kept = {};  // of this second look at the rows as many are kept again
   find_in_repetitions(

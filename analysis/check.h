@@ -4,6 +4,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ar3d/store/rows.h"
@@ -64,12 +66,27 @@ struct CheckVerdict {
 
 /// Looks at every row, once and in file order, and again at those whose repetitions differ. Cost:
 /// O(r log r) time for r rows, 33 bytes per row.
-CheckVerdict check(const Rows& rows);
+/// @param one_study  given: a path, for messages. The rows have to be of one study.
+/// @throws InputError as OneStudy::require.
+CheckVerdict check(const Rows& rows, const std::string& one_study = "");
 
-/// Refuses rows that cannot be of one study: its graphs of one family, parameters, n and index have
-/// one seed, keys of rows are unique and not zero, and there are no more rows than planned.
-/// @throws InputError naming `path` and the rows. Memory: 24 bytes per graph and per row.
-void require_one_study(const Rows& rows, const std::string& path);
+/// Holds of rows what tells whether they can be of one study. Memory: 24 bytes per graph and per
+/// row.
+class OneStudy {
+ public:
+  /// Takes the next row. @throws InputError if its key is none.
+  void add(const RunRecord& run, std::size_t row);
+  /// Requires of all rows that graphs of one family, parameters, n and index have one seed, that
+  /// keys are unique and not zero, and that there are no more rows than planned.
+  /// @throws InputError naming `path` and the rows.
+  void require(const Rows& rows, const std::string& path);
+
+ private:
+  // Hash of family, parameters, n and index; seed; row.
+  std::vector<std::tuple<std::size_t, std::uint64_t, std::size_t>> graphs_;
+  std::vector<std::pair<RowKey, std::size_t>> keys_;
+  std::string former_;  // graph: neighbours are mostly of one
+};
 
 /// Returns which graph, drawn how: rows that agree in it are repetitions.
 std::string repetition_key(const RunRecord& run);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include "ar3d/analysis/check.h"
@@ -43,6 +45,10 @@ std::vector<KeyRows> suspicious_keys(const std::vector<Fingerprint>& sorted) {
     begin = end;
   }
   return keys;
+}
+
+std::string graph_identity(const RunRecord& run) {
+  return fmt::format("{}\n{}\n{}\n{}", run.family, run.parameters, run.n, run.instance_index);
 }
 
 // @param keys  with the rows that have them. @throws InputError if one is zero or there twice.
@@ -111,39 +117,32 @@ void find_in_repetitions(const Rows& rows, const std::vector<Fingerprint>& sorte
   }
 }
 
-void require_one_study(const Rows& rows, const std::string& path) {
-  const auto identity_of = [](const RunRecord& run) {
-    return fmt::format("{}\n{}\n{}\n{}", run.family, run.parameters, run.n, run.instance_index);
-  };
-  // Hash of family, parameters, n and index; seed; row.
-  std::vector<std::tuple<std::size_t, std::uint64_t, std::size_t>> graphs;
-  std::vector<std::pair<RowKey, std::size_t>> keys;
-  std::string former;  // neighbours are mostly of one graph
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    const RunRecord& run = rows.run(row);
-    if (!run.row_key.empty()) keys.emplace_back(parse_row_key(run.row_key), row);
-    if (run.n < 0) continue;
-    std::string identity = identity_of(run);
-    if (identity == former && run.seed == std::get<1>(graphs.back())) continue;
-    graphs.emplace_back(std::hash<std::string>()(identity), run.seed, row);
-    former = std::move(identity);
-  }
-  require_keys(std::move(keys), path);
+void OneStudy::add(const RunRecord& run, std::size_t row) {
+  if (!run.row_key.empty()) keys_.emplace_back(parse_row_key(run.row_key), row);
+  if (run.n < 0) return;
+  std::string graph = graph_identity(run);
+  if (graph == former_ && run.seed == std::get<1>(graphs_.back())) return;
+  graphs_.emplace_back(std::hash<std::string>()(graph), run.seed, row);
+  former_ = std::move(graph);
+}
+
+void OneStudy::require(const Rows& rows, const std::string& path) {
+  require_keys(std::move(keys_), path);
   if (rows.identity().planned_rows >= 0 &&
       rows.size() > static_cast<std::size_t>(rows.identity().planned_rows)) {
     throw InputError(fmt::format("{}: {} rows, but its study plans {}: there is no row {}", path,
                                  rows.size(), rows.identity().planned_rows,
                                  rows.identity().planned_rows));
   }
-  std::sort(graphs.begin(), graphs.end());
-  for (std::size_t i = 1; i < graphs.size(); ++i) {
-    const auto& [identity, seed, row] = graphs[i - 1];
-    const auto& [next_identity, next_seed, next_row] = graphs[i];
+  std::sort(graphs_.begin(), graphs_.end());
+  for (std::size_t i = 1; i < graphs_.size(); ++i) {
+    const auto& [identity, seed, row] = graphs_[i - 1];
+    const auto& [next_identity, next_seed, next_row] = graphs_[i];
     if (identity != next_identity || seed == next_seed) continue;
     const auto [first, second] = std::minmax(row, next_row);
     RunRecord run;
     run = rows.run(first);  // a copy: the next call reads over it
-    if (identity_of(run) != identity_of(rows.run(second))) continue;
+    if (graph_identity(run) != graph_identity(rows.run(second))) continue;
     throw InputError(fmt::format(
         "{}: rows {} and {} are of different studies: {}, n = {}, instance {} has two seeds", path,
         first, second, one_line(run.family), run.n, run.instance_index));

@@ -179,7 +179,9 @@ void Tallying::add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& op
   if (is_censored(run.status)) {
     open.censored = true;
     if (open.n >= 1 && curve.censored.size() < kMostCensored) {
-      curve.censored.push_back({open.n, row, run.m, run.seed, run.status});
+      DrawnGraph& ended = curve.censored.emplace_back();
+      ended.row = row, ended.status = run.status, ended.n = open.n;
+      ended.m = run.m, ended.seed = run.seed;
     }
   }
   if (run.status != RunStatus::ok && run.status != RunStatus::measured) return;
@@ -274,8 +276,7 @@ StudyTally Tallying::finish() {
   for (auto& [key, open] : open_) conclude(std::move(open));
   bool is_sampled = false;
   for (CurveTally& curve : tally_.curves) {
-    std::stable_sort(curve.censored.begin(), curve.censored.end(),
-                     [](const CensoredRow& a, const CensoredRow& b) { return a.n < b.n; });
+    std::ranges::stable_sort(curve.censored, {}, &DrawnGraph::n);
     for (auto& [n, size] : curve.sizes) {
       keep_sample(most_, size.graphs);
       std::sort(size.graphs.begin(), size.graphs.end(),

@@ -19,6 +19,7 @@ namespace ar3d {
 /// Describes one graph drawn by one curve: its first ok row, and the medians of its drawing times.
 struct DrawnGraph {
   std::size_t row = 0;
+  RunStatus status = RunStatus::ok;
   std::int64_t n = -1;
   std::int64_t m = -1;
   std::uint64_t seed = 0;
@@ -84,16 +85,6 @@ struct SizeTally {
   double mean_log(Quantity quantity, bool timed) const;
 };
 
-/// Describes a row that ended in timeout, out of memory or a crash: its value is not known, for
-/// times only that it is larger than what the others needed.
-struct CensoredRow {
-  std::int64_t n = 0;
-  std::size_t row = 0;
-  std::int64_t m = -1;
-  std::uint64_t seed = 0;
-  RunStatus status = RunStatus::crashed;
-};
-
 /// Is one axis of one curve. Slack is 1 - extent / bound, computed from the extents: 0 touches the
 /// bound, a negative one breaks it; missing without a bound. Statistics are over graphs (the first
 /// ok repetition of each); medians, which analyse() fills in, over those that the tally keeps.
@@ -133,7 +124,9 @@ struct CurveTally {
   /// extents and bounds are missing, and volumes are over the smallest distance of vertices.
   bool has_own_unit = false;
   std::map<std::int64_t, SizeTally> sizes;
-  std::vector<CensoredRow> censored;  ///< the first 1000 with n >= 1, by n
+  /// Holds rows that ended in timeout, out of memory or a crash, the first 1000 with n >= 1, by n:
+  /// their values are not known, of times only that they are larger than what the others needed.
+  std::vector<DrawnGraph> censored;
   // What analyse() fills in, beside the medians of the axes.
   std::int64_t volume_n = -1;     ///< the largest n that was drawn: volumes are of its graphs
   double log2_volume = kMissing;  ///< lattice points of the box, median

@@ -209,8 +209,7 @@ std::string left_out_text(const StudyIdentity& identity) {
 }
 
 CheckVerdict judge(const Rows& rows, const std::string& file) {
-  require_one_study(rows, file);
-  CheckVerdict verdict = check(rows);
+  CheckVerdict verdict = check(rows, file);
   if (verdict.unproved > 0) verdict.accepts_unproved = accepts_unproved(rows.identity().spec);
   return verdict;
 }

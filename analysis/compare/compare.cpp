@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ar3d/base/printable.h"
 
 namespace ar3d {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -87,20 +88,14 @@ ReadResults read_one(const fs::path& path) {
   return read;
 }
 
-struct OpenLine {
-  HistoryLine line;
-  std::vector<std::string> exact;
-  std::vector<SideTimes> times;
-  bool is_counted = true;  ///< every one of its results has counts of the cell
-};
 /// By what the values of a line have in common; filled in the order of the results.
 using LineKey = std::tuple<std::size_t, std::string, HistoryCell, Measure>;
-using OpenLines = std::map<LineKey, OpenLine>;
+using Lines = std::map<LineKey, HistoryLine>;
 
 /// @param unit  what times of the cells are in units of, as a logarithm. @param more  that is to be
 /// taken off their levels.
 void add_values(std::size_t result, const CommitResults& commit, const CellTable& table,
-                double unit, double more, OpenLines& lines) {
+                double unit, double more, Lines& lines) {
   for (const auto& [cell, values] : table.cells) {
     for (std::size_t i = 0; i < kMeasures.size(); ++i) {
       const bool is_time = kMeasures[i] == Measure::time;
@@ -109,13 +104,13 @@ void add_values(std::size_t result, const CommitResults& commit, const CellTable
           (is_time && !(commit.untimed.empty() && values.times.rounds > 0))) {
         continue;
       }
-      OpenLine& entry = lines[{commit.environment, commit.study, cell, kMeasures[i]}];
-      entry.line.results.push_back(result);
-      entry.line.values.push_back(value);
-      entry.exact.push_back(values.exact[i]);
-      entry.times.push_back(values.times);
-      entry.times.back().level -= more;
-      entry.is_counted &= std::isfinite(values.means[static_cast<std::size_t>(Measure::cycles)]);
+      HistoryLine& line = lines[{commit.environment, commit.study, cell, kMeasures[i]}];
+      line.results.push_back(result);
+      line.values.push_back(value);
+      line.exact.push_back(values.exact[i]);
+      line.times.push_back(values.times);
+      line.times.back().level -= more;
+      line.is_counted &= std::isfinite(values.means[static_cast<std::size_t>(Measure::cycles)]);
     }
   }
 }
@@ -132,7 +127,7 @@ class Changes {
   }
 
   /// Values without noise: what changed since the last change.
-  void add_exact(std::size_t number, const std::vector<std::string>& exact, double threshold) {
+  void add_exact(std::size_t number, double threshold) {
     const HistoryLine& line = history_.lines[number];
     const bool is_drawing = line.measure >= Measure::volume;
     std::size_t last = 0;
@@ -140,7 +135,7 @@ class Changes {
       const double before = line.values[last], after = line.values[i];
       const double effect = before > 0 && after > 0 ? std::log(after / before) : kMissing;
       const bool is_changed =
-          is_drawing ? exact[i] != exact[last] : std::abs(effect) > std::log1p(threshold);
+          is_drawing ? line.exact[i] != line.exact[last] : std::abs(effect) > std::log1p(threshold);
       if (!is_changed) continue;
       last = i;
       found_[{line.results[i], line.results[i - 1], setting_of(line), line.measure,
@@ -208,7 +203,7 @@ class Changes {
 };
 
 /// Judges the times of one study in one environment; the lines are [begin, end).
-void judge_times(std::size_t begin, std::size_t end, const std::vector<OpenLine>& entries,
+void judge_times(std::size_t begin, std::size_t end,
                  const std::vector<std::array<double, 3>>& yardsticks, const TimeRule& rule,
                  History& history, Changes& changes) {
   TimeSeries series;
@@ -216,7 +211,7 @@ void judge_times(std::size_t begin, std::size_t end, const std::vector<OpenLine>
   for (std::size_t i = begin; i < end; ++i) {
     HistoryLine& line = history.lines[i];
     if (line.measure != Measure::time) continue;
-    line.is_judged = !entries[i].is_counted;
+    line.is_judged = !line.is_counted;
     if (!line.is_judged) continue;
     cells.push_back(i);
     series.settings.push_back(algorithm_label(line.cell.curve));
@@ -232,8 +227,7 @@ void judge_times(std::size_t begin, std::size_t end, const std::vector<OpenLine>
     const HistoryLine& line = history.lines[cells[cell]];
     for (std::size_t i = 0; i < line.results.size(); ++i) {
       const auto at = std::lower_bound(results.begin(), results.end(), line.results[i]);
-      series.results[static_cast<std::size_t>(at - results.begin())][cell] =
-          entries[cells[cell]].times[i];
+      series.results[static_cast<std::size_t>(at - results.begin())][cell] = line.times[i];
     }
   }
   const TimeSteps steps = find_time_steps(series, rule);
@@ -248,12 +242,8 @@ void judge_times(std::size_t begin, std::size_t end, const std::vector<OpenLine>
   }
 }
 
-void judge(std::vector<OpenLine> entries, const std::vector<std::array<double, 3>>& yardsticks,
-           const CompareOptions& rule, History& history) {
-  for (OpenLine& entry : entries) {
-    entry.line.is_judged = entry.line.values.size() >= 2;
-    history.lines.push_back(std::move(entry.line));
-  }
+void judge(const std::vector<std::array<double, 3>>& yardsticks, const CompareOptions& rule,
+           History& history) {
   Changes changes(history);
   for (std::size_t begin = 0; begin < history.lines.size();) {
     std::size_t end = begin;
@@ -263,12 +253,11 @@ void judge(std::vector<OpenLine> entries, const std::vector<std::array<double, 3
       const Measure measure = history.lines[end].measure;
       if (measure != Measure::time) {
         changes.add_exact(
-            end, entries[end].exact,
-            measure == Measure::cycles ? rule.cycle_threshold : rule.instruction_threshold);
+            end, measure == Measure::cycles ? rule.cycle_threshold : rule.instruction_threshold);
       }
       ++end;
     }
-    judge_times(begin, end, entries, yardsticks, rule.time, history, changes);
+    judge_times(begin, end, yardsticks, rule.time, history, changes);
     begin = end;
   }
   changes.finish();
@@ -334,7 +323,7 @@ History read_history(const std::string& folder, const CompareOptions& rule) {
   });
   name_files_alike(read);
   History history;
-  OpenLines lines;
+  Lines lines;
   std::map<std::size_t, std::vector<double>> slownesses;  // by environment
   std::vector<std::array<double, 3>> yardsticks;
   for (ReadResults& one : read) {
@@ -351,12 +340,12 @@ History read_history(const std::string& folder, const CompareOptions& rule) {
     yardsticks.push_back(one.table.yardsticks);
     one.table.cells.clear();
   }
-  std::vector<OpenLine> entries;
-  for (auto& [key, entry] : lines) {
-    std::tie(entry.line.environment, entry.line.study, entry.line.cell, entry.line.measure) = key;
-    entries.push_back(std::move(entry));
+  for (auto& [key, line] : lines) {
+    std::tie(line.environment, line.study, line.cell, line.measure) = key;
+    line.is_judged = line.values.size() >= 2;
+    history.lines.push_back(std::move(line));
   }
-  judge(std::move(entries), yardsticks, rule, history);
+  judge(yardsticks, rule, history);
   return history;
 }
 

@@ -120,6 +120,9 @@ struct HistoryLine {
   Measure measure = Measure::time;
   std::vector<std::size_t> results;  ///< in History::results, ascending, one a value
   std::vector<double> values;        ///< as CellValues::means, none missing; times in seconds
+  std::vector<std::string> exact;    ///< CellValues::exact, one a value
+  std::vector<SideTimes> times;      ///< likewise CellValues::times
+  bool is_counted = true;            ///< every one of its results has counts of the cell
   /// Is false for too few results of its setting, and for a time of which all results have counts.
   bool is_judged = true;
 };

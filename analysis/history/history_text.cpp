@@ -1,6 +1,7 @@
 // A history told: in words where it changed, commit by commit, the last one first; its tables.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 

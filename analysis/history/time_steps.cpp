@@ -1,6 +1,8 @@
 // When times changed for good: at every result, the last k results against the k before, judged by
 // the rule for two files. What settings vary by from result to result counts as error, too, since
 // two results alone do not show it.
+#include <algorithm>
+
 #include "ar3d/analysis/history/history.h"
 
 namespace ar3d {

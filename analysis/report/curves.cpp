@@ -141,7 +141,7 @@ void add_points(TableMaker& make, std::size_t most) {
           make.graphs.add(curve.index, *largest, true);
         }
       }
-      for (const CensoredRow& row : curve.tally->censored) make.graphs.add(curve.index, row);
+      for (const DrawnGraph& row : curve.tally->censored) make.graphs.add(curve.index, row, true);
     }
   }
 }

@@ -1,6 +1,7 @@
 // The settings of a study with their families, and the graphs that tables point at.
 #include "ar3d/analysis/report/sections.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace ar3d::report {
@@ -101,19 +102,13 @@ std::size_t count_families(const std::set<std::string>& family_labels) {
 }
 
 std::size_t GraphList::add(std::size_t curve, const DrawnGraph& graph, bool point) {
-  const auto [at, is_new] = rows_.try_emplace(graph.row, Noted{curve, point, {}, {}});
-  if (is_new) {
+  const auto [at, is_new] = rows_.try_emplace(graph.row, Noted{curve, point, {}});
+  if (is_new || graph.status != RunStatus::ok) {
     at->second.graph = graph;
     at->second.graph.metrics.clear();
   }
   at->second.is_point |= point;
   return graph.row;
-}
-
-void GraphList::add(std::size_t curve, const CensoredRow& row) {
-  DrawnGraph graph;
-  graph.row = row.row, graph.n = row.n, graph.m = row.m, graph.seed = row.seed;
-  rows_.insert_or_assign(row.row, Noted{curve, true, graph, to_string(row.status)});
 }
 
 void GraphList::add_row(std::size_t row) {
@@ -122,12 +117,13 @@ void GraphList::add_row(std::size_t row) {
   const auto at = std::ranges::find(analysis.tally.curves, curve_of(run), &CurveTally::key);
   if (at == analysis.tally.curves.end()) return;
   DrawnGraph graph;
-  graph.row = row, graph.n = run.n >= 0 ? run.n : run.requested_n, graph.m = run.m;
+  graph.row = row, graph.status = run.status, graph.n = run.n >= 0 ? run.n : run.requested_n,
+  graph.m = run.m;
   graph.seed = run.seed, graph.instance = run.instance_index, graph.name = run.graph_name;
   graph.extents = run.extents, graph.theorem_bound = run.theorem_bound;
   graph.published_bound = run.published_bound;
   const auto curve = static_cast<std::size_t>(at - analysis.tally.curves.begin());
-  rows_[row] = {curve, false, graph, run.status == RunStatus::ok ? "" : to_string(run.status)};
+  rows_[row] = {curve, false, graph};
 }
 
 void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
@@ -140,7 +136,8 @@ void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
     const bool timed = analysis.tally.curves[noted.curve].has_timing_rows;
     const auto curve = indices.find(noted.curve);
     const auto over = [&](Quantity quantity) {
-      if (curve == indices.end() || !noted.status.empty() || !noted.is_point) return kMissing;
+      if (curve == indices.end() || graph.status != RunStatus::ok || !noted.is_point)
+        return kMissing;
       const double log_n = std::log(static_cast<double>(graph.n));
       return std::exp(log_value(graph, quantity, timed) -
                       order_of(sections[curve->second->setting], quantity) * log_n);
@@ -158,7 +155,7 @@ void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
         count_or_none(graph.m),
         std::to_string(graph.seed),
         optional(graph.name),
-        optional(noted.status),
+        optional(graph.status == RunStatus::ok ? "" : to_string(graph.status)),
         drawing == drawings.end() ? TableCell() : TableCell(drawing->second),
         noted.is_point,
         side,

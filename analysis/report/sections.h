@@ -76,7 +76,6 @@ class GraphList {
   /// Notes the graph. @param curve  in the tally. @param point  it is a point of the growth figures.
   /// @return its row.
   std::size_t add(std::size_t curve, const DrawnGraph& graph, bool point = false);
-  void add(std::size_t curve, const CensoredRow& row);
   /// Notes any row of the study; nothing if its curve is in no table.
   void add_row(std::size_t row);
   /// Fills the table `graphs`. @param drawings  which drawing of the viewer's page shows a row.
@@ -88,7 +87,6 @@ class GraphList {
     std::size_t curve = 0;
     bool is_point = false;
     DrawnGraph graph;
-    std::string status;
   };
   std::map<std::size_t, Noted> rows_;
 };

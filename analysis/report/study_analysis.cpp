@@ -1,4 +1,6 @@
 // Bounds beside what was measured, and all else that report and exports show, computed once.
+#include <algorithm>
+
 #include "ar3d/analysis/report/report.h"
 
 namespace ar3d {

@@ -1,5 +1,6 @@
 // Groups the graphs of a curve by size and chooses the sizes that a fit may use. A size with rows
 // that ended early is left out, because only its fast graphs are there.
+#include <algorithm>
 #include <iterator>
 
 #include "ar3d/analysis/scaling/scaling.h"

@@ -114,7 +114,7 @@ TEST(Scaling, SizesWithUnfinishedInstancesAreLeftOut) {
   const ScalingEntry entry = fit_scaling(samples(tally_of(results).curves[0], Quantity::wall_s));
   EXPECT_EQ(entry.all.size(), 9u);
   EXPECT_EQ(entry.used.back().n, 16 << 7);
-  const std::vector<CensoredRow> censored = tally_of(results).curves[0].censored;
+  const std::vector<DrawnGraph> censored = tally_of(results).curves[0].censored;
   ASSERT_EQ(censored.size(), 1u);
   EXPECT_EQ(censored[0].row, 33u);
   EXPECT_EQ(censored[0].n, 16 << 8);
