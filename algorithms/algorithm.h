@@ -23,8 +23,6 @@ struct Algorithm {
   std::vector<SettingSpec> options;
   std::function<Drawing(const Graph&, const Settings&)> draw;  ///< with complete values: draw()
   bool by_name_only = false;  ///< "all" in a study does not mean it
-  bool is_foreign = false;    ///< another program draws: its answers are not trusted
-  bool is_judged = true;      ///< false: it promises nothing, its drawings are only measured
 };
 
 /// The values with every default filled in, in the order of algorithm.options.

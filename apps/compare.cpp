@@ -24,6 +24,7 @@
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/generators/catalog.h"
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"

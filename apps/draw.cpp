@@ -30,7 +30,7 @@ namespace {
 
 struct DrawArguments {
   std::vector<std::string> inputs = {"-"};
-  GraphInput graphs;
+  ReadOptions graphs;
   std::optional<std::string> algorithm;
   std::vector<std::string> options;
   std::string format;
@@ -250,7 +250,7 @@ int draw_graphs(const DrawArguments& arguments) {
         fmt::format("--level {} is written as jsonl, not as {}", to_string(level), format.name));
   }
   GraphInputs inputs(arguments.inputs, [&](const std::string& path) {
-    return std::make_unique<GraphReader>(path, arguments.graphs.read_options());
+    return std::make_unique<GraphReader>(path, arguments.graphs);
   });
   DrawOutcome outcome;
   if (format.name == "jsonl") {  // many at a time

@@ -4,6 +4,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/graphs/graph6.h"
@@ -101,7 +102,7 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
                                           const std::optional<Graph>& of_row) {
   if (!arguments.inputs.empty()) {
     CorpusOptions options;
-    options.reading = arguments.reading.read_options();
+    options.reading = arguments.reading;
     std::vector<CorpusFile> files;
     for (const std::string& path : arguments.inputs) {
       files.push_back({path, arguments.inputs.size() == 1 ? "" : path, ""});
@@ -177,9 +178,9 @@ void refuse_unshrinkable(const Trial& whole, const HuntArguments& arguments) {
 int shrink_and_show(HuntArguments arguments) {
   refuse_unsafe_exhibit(arguments);
   std::vector<std::string> notes;
-  const Graph graph = arguments.row.empty() ? read_graph(arguments.inputs[0],
-                                                         arguments.reading.read_options(), &notes)
-                                            : graph_of_row(arguments);
+  const Graph graph = arguments.row.empty()
+                          ? read_graph(arguments.inputs[0], arguments.reading, &notes)
+                          : graph_of_row(arguments);
   tell_notes(notes);
   const Subject subject = subject_of(arguments);
   const ExternalDrawer programs;

@@ -22,7 +22,7 @@ struct HuntArguments {
   bool force = false;
   std::vector<std::string> inputs;  // graphs to hunt from, or the one to shrink
   std::string row;                  // given: the input is a results file, and its graph is meant
-  GraphInput reading;               // of it
+  ReadOptions reading;              // of it
   std::string family = "all";       // of `hunt`, as the next two
   std::vector<std::string> parameters;
   HuntOptions hunting;

@@ -3,7 +3,6 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -16,6 +15,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
@@ -35,7 +35,7 @@ using optimum::SmallestBox;
 
 struct OptimumArguments {
   std::vector<std::string> inputs = {"-"};
-  GraphInput graphs;
+  ReadOptions graphs;
   optimum::Question question;
   std::string angle = "109.47";
   std::int64_t volume_below = optimum::SearchOptions().volume_below;
@@ -46,38 +46,12 @@ struct OptimumArguments {
   bool force = false;
 };
 
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
 std::string graph6_word(const Graph& graph) {
   std::string word;
   append_graph6(word, graph);
   word.pop_back();
   return word;
 }
-
-/// Says once a second which formula is being solved, if it is another one than before.
-class FormulaProgress {
- public:
-  explicit FormulaProgress(std::string graph) : graph_(std::move(graph)) {}
-  void begin(const FormulaRecord& formula) {
-    text_ = fmt::format("{}: box {}: {} points, {} clauses", graph_,
-                        optimum::to_string(formula.box), formula.points, formula.clauses);
-  }
-  void tell() {
-    if (text_.empty() || seconds_since(last_) < 1) return;
-    note(stderr, "{}\n", text_);
-    last_ = Clock::now();
-    text_.clear();
-  }
-
- private:
-  std::string graph_;
-  std::string text_;
-  Clock::time_point last_ = Clock::now();
-};
 
 /// One graph of the input and what was found of it.
 struct GraphAnswer {
@@ -188,7 +162,7 @@ class OptimumRun {
 
   int run() {
     SeveralInputs<GraphReader> inputs(arguments_.inputs, [this](const std::string& path) {
-      return std::make_unique<GraphReader>(path, arguments_.graphs.read_options());
+      return std::make_unique<GraphReader>(path, arguments_.graphs);
     });
     const Interruptible interruptible;
     while (auto graph = inputs.next()) {
@@ -214,8 +188,9 @@ class OptimumRun {
       return;
     }
     GraphAnswer answer{where, graph6_word(graph), {}, 0};
-    const Clock::time_point begin = Clock::now();
-    FormulaProgress progress(answer.graph);
+    const Stopwatch time;
+    Stopwatch since_told;
+    std::string solving;  // the formula, if it is to be told
     answer.found = find_smallest_box(
         graph, arguments_.question, *solver_,
         {.volume_below = arguments_.volume_below,
@@ -224,12 +199,20 @@ class OptimumRun {
          .name = fmt::format("{}", number_),
          .should_stop =
              [&] {
-               progress.tell();
+               if (!solving.empty() && since_told.wall_s() >= 1) {
+                 note(stderr, "{}\n", std::exchange(solving, ""));
+                 since_told = {};
+               }
                return is_interrupted() ||
-                      (arguments_.seconds && seconds_since(begin) > *arguments_.seconds);
+                      (arguments_.seconds && time.wall_s() > *arguments_.seconds);
              },
-         .on_formula = [&](const FormulaRecord& formula) { progress.begin(formula); }});
-    answer.seconds = seconds_since(begin);
+         .on_formula =
+             [&](const FormulaRecord& formula) {
+               solving =
+                   fmt::format("{}: box {}: {} points, {} clauses", answer.graph,
+                               optimum::to_string(formula.box), formula.points, formula.clauses);
+             }});
+    answer.seconds = time.wall_s();
     tell(answer);
   }
 

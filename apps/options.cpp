@@ -79,38 +79,37 @@ void print_json(const nlohmann::ordered_json& json) {
   say("{}\n", json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
 }
 
-ReadOptions GraphInput::read_options() const {
-  ReadOptions chosen = options;
-  chosen.simplify |= chosen.undirected;
-  if (first_line == "edge") chosen.first_line = FirstLine::edge;
-  if (trust_sizes) chosen.free_vertices = std::numeric_limits<Vertex>::max();
-  if (first_line == "header") chosen.first_line = FirstLine::header;
-  return chosen;
-}
-
 void tell_notes(const std::vector<std::string>& notes) {
   for (const std::string& text : notes) note(stderr, "ar3d: note: {}\n", printable(text));
 }
 
-void add_edge_list_options(CLI::App& verb, GraphInput& input) {
+void add_edge_list_options(CLI::App& verb, ReadOptions& options) {
   verb.add_option(
-          "--base", input.options.base,
+          "--base", options.base,
           "smallest vertex id of edge and adjacency lists: 0 or 1; as the list tells if left out")
       ->check(whole_number(0, 1));
-  verb.add_option("--first-line", input.first_line,
-                  "what a first line 'a b' of an edge list is where that is open: edge, or header "
-                  "(numbers of vertices and edges)")
+  verb.add_option_function<std::string>(
+          "--first-line",
+          [&options](const std::string& word) {
+            if (word == "edge") options.first_line = FirstLine::edge;
+            if (word == "header") options.first_line = FirstLine::header;
+          },
+          "what a first line 'a b' of an edge list is where that is open: edge, or header "
+          "(numbers of vertices and edges)")
+      ->default_str("automatic")
       ->check(one_of({"automatic", "edge", "header"}));
-  verb.add_flag("--undirected", input.options.undirected,
-                "read arcs of directed graphs as edges; loops and parallel ones are dropped then");
+  verb.add_flag_callback(
+      "--undirected", [&options] { options.undirected = options.simplify = true; },
+      "read arcs of directed graphs as edges; loops and parallel ones are dropped then");
 }
 
-void add_graph_input_options(CLI::App& verb, GraphInput& input) {
-  verb.add_option("--from", input.options.format,
+void add_graph_input_options(CLI::App& verb, ReadOptions& options) {
+  verb.add_option("--from", options.format,
                   "format of the graphs that are read; detected by content if left out");
-  add_edge_list_options(verb, input);
-  verb.add_flag("--trust-sizes", input.trust_sizes,
-                "believe a file's number of vertices, however few bytes stand behind it");
+  add_edge_list_options(verb, options);
+  verb.add_flag_callback(
+      "--trust-sizes", [&options] { options.free_vertices = std::numeric_limits<Vertex>::max(); },
+      "believe a file's number of vertices, however few bytes stand behind it");
 }
 
 }  // namespace ar3d

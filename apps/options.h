@@ -61,22 +61,13 @@ void tell(const nlohmann::ordered_json& json, fmt::format_string<Values...> form
   say(format, std::forward<Values>(values)...);
 }
 
-/// Holds how a graph file is to be read: the options of every verb that reads one.
-struct GraphInput {
-  ReadOptions options;
-  std::string first_line = "automatic";
-  bool trust_sizes = false;
-
-  ReadOptions read_options() const;
-};
-
 /// Says on standard error what a reader has assumed, a line each.
 void tell_notes(const std::vector<std::string>& notes);
 
 /// Adds the options --base, --first-line and --undirected.
-void add_edge_list_options(CLI::App& verb, GraphInput& input);
+void add_edge_list_options(CLI::App& verb, ReadOptions& options);
 
 /// Adds these and --from and --trust-sizes.
-void add_graph_input_options(CLI::App& verb, GraphInput& input);
+void add_graph_input_options(CLI::App& verb, ReadOptions& options);
 
 }  // namespace ar3d

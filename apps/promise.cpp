@@ -140,26 +140,24 @@ void add_promise_options(CLI::App& verb, PromiseArguments& arguments) {
   }
 }
 
-std::optional<Promise> promise_of(const PromiseArguments& arguments) {
+std::optional<Guarantee> promise_of(const PromiseArguments& arguments) {
   if (!arguments.bends) return std::nullopt;
   if (arguments.exactly == arguments.at_least) {
     throw InputError("--bends needs --exactly or --at-least");
   }
-  Promise promise;
-  Guarantee& guarantee = promise.guarantee;
+  Guarantee guarantee;
   guarantee.max_bends = *arguments.bends;
   guarantee.angle_rule = arguments.exactly ? AngleRule::exactly : AngleRule::at_least;
   guarantee.cosine = cosine_of(arguments.cosine);
   guarantee.lattice = lattice_of(arguments.gram);
   guarantee.directions = directions_of(arguments.directions);
   guarantee.vertices_in_plane = !arguments.plane.empty();
-  promise.has_box = !arguments.box.empty();
-  if (!promise.has_box) return promise;
+  if (arguments.box.empty()) return guarantee;
   const auto axes = parts_of(arguments.box, ',');
   if (axes.size() != 3) refuse("--box", arguments.box, "three sizes");
   for (std::size_t i = 0; i < 3; ++i) guarantee.bound.axes[i] = axis_of(axes[i]);
   guarantee.bound.name = "promised";
-  return promise;
+  return guarantee;
 }
 
 }  // namespace ar3d

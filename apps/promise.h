@@ -20,17 +20,11 @@ struct PromiseArguments {
   std::string box;
 };
 
-/// Holds what drawings are to keep; of the box only what was promised.
-struct Promise {
-  Guarantee guarantee;
-  bool has_box = false;
-};
-
 /// Adds --bends, --cosine, --exactly, --at-least, --gram, --directions, --plane and --box.
 void add_promise_options(CLI::App& verb, PromiseArguments& arguments);
 
-/// Returns the promise, or nothing if --bends was not given. @throws InputError naming the word
-/// that is not understood.
-std::optional<Promise> promise_of(const PromiseArguments& arguments);
+/// Returns the promise, or nothing if --bends was not given; without --box its bound has no name.
+/// @throws InputError naming the word that is not understood.
+std::optional<Guarantee> promise_of(const PromiseArguments& arguments);
 
 }  // namespace ar3d

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "ar3d/analysis/report/report.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/processes.h"

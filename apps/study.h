@@ -15,11 +15,22 @@ void add_study_status(CLI::App& study, int& exit_code);
 void add_study_plan(CLI::App& study, int& exit_code);
 void add_study_count(CLI::App& study, int& exit_code);
 
-/// Holds which study a verb is about: one of a name or a file, or graphs of files.
+/// Holds which study a verb is about: one of a name or a file, or graphs of files to be drawn.
 struct StudyChoice {
   std::string study;
-  GraphsStudy graphs;
-  GraphInput reading;  ///< of the graphs
+  std::uint64_t timed = 0;              ///< rounds of the timing phase; 0: as the study says
+  std::vector<std::string> files;       ///< paths, patterns or folders, from the current one
+  std::string name;                     ///< given: all files are one collection of this name
+  std::string groups;                   ///< of the collection: table file -> group
+  std::vector<std::string> algorithms;  ///< empty: all
+  std::uint64_t seed = 0;
+  std::uint64_t sample = 0;  ///< of each file; 0: all graphs
+  bool skip = false;         ///< files that cannot be read are left out
+  bool simple = false;       ///< loops and parallel edges are dropped
+  bool largest_component = false;
+  bool shuffle = false;
+  bool count = false;
+  ReadOptions reading;  ///< of every file: format, base and first line
 };
 
 /// Adds STUDY, --graphs and what goes with it.

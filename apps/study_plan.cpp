@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <set>
@@ -12,10 +13,12 @@
 #include "ar3d/analysis/table.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/estimate.h"
 #include "ar3d/bench/run/session.h"
+#include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/bench/spec/toml_table.h"
 #include "ar3d/store/columns/curves.h"
@@ -182,72 +185,120 @@ void print_estimate(const Study& study, const StudyPlan& plan, const StudyEstima
   }
 }
 
+std::string toml_quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (byte < 32 || byte == 127) {
+      quoted += fmt::format("\\u{:04X}", byte);
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
+/// Returns what a folder's collection is called; empty if it is no folder.
+std::string folder_name(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error)) return "";
+  return own_graphs_name(std::filesystem::canonical(path, error).string());
+}
+
+/// The specification that graphs of files are short for.
+std::string graphs_study_text(const StudyChoice& study) {
+  const ReadOptions& reading = study.reading;
+  std::string text =
+      fmt::format("study = \"graphs\"\nseed = {}\n{}\n[[sweep]]\n{}graphs = [\n", study.seed,
+                  study.count ? "count = true\n" : "",
+                  study.timed > 0 ? fmt::format("timed_repetitions = {}\n", study.timed) : "");
+  for (const std::string& file : study.files) {
+    const std::string name = study.name.empty() ? folder_name(file) : study.name;
+    text += name.empty() ? "  { file = " : "  { files = ";
+    text += toml_quoted(file);
+    if (!name.empty()) text += ", name = " + toml_quoted(name);
+    if (!study.groups.empty()) text += ", groups = " + toml_quoted(study.groups);
+    if (study.skip) text += ", skip = true";
+    if (study.sample > 0) text += fmt::format(", sample = {}", study.sample);
+    if (!reading.format.empty()) text += ", format = " + toml_quoted(reading.format);
+    if (reading.base) text += fmt::format(", base = {}", *reading.base);
+    if (reading.first_line == FirstLine::edge) text += ", first_line = \"edge\"";
+    if (reading.first_line == FirstLine::header) text += ", first_line = \"header\"";
+    if (study.simple) text += ", simple = true";
+    if (reading.undirected) text += ", undirected = true";
+    if (study.largest_component) text += ", largest_component = true";
+    if (study.shuffle) text += ", shuffle = 1";
+    text += " },\n";
+  }
+  text += "]\nalgorithms = [";
+  for (const std::string& algorithm : study.algorithms) text += toml_quoted(algorithm) + ", ";
+  return text + (study.algorithms.empty() ? "\"all\"]\n" : "]\n");
+}
+
 }  // namespace
 
 void add_study_choice(CLI::App& verb, StudyChoice& choice) {
   verb.add_option("STUDY", choice.study, "a TOML file or a study of `ar3d list studies`");
-  GraphsStudy& graphs = choice.graphs;
   CLI::Option* const files =
-      verb.add_option("--graphs", graphs.files,
+      verb.add_option("--graphs", choice.files,
                       "instead of STUDY: all graphs of these files, of those that a pattern in "
                       "quotes matches, or of a folder, which is one collection");
-  verb.add_option("--name", graphs.name,
+  verb.add_option("--name", choice.name,
                   "with --graphs: all files that match, or that the folder holds, are one "
                   "collection of this name, its groups the sub-folders; a folder's own if left out")
       ->needs(files);
-  verb.add_option("--groups", graphs.groups,
+  verb.add_option("--groups", choice.groups,
                   "of a collection: a table, a line FILE,GROUP each, that says the groups instead")
       ->needs(files);
-  verb.add_option("--timed", graphs.timed, "number of timed rounds of all drawings, in every sweep")
+  verb.add_option("--timed", choice.timed, "number of timed rounds of all drawings, in every sweep")
       ->default_str("")
       ->check(whole_number(1, 1000000));
-  verb.add_flag("--count", graphs.count, "with --graphs: instructions are counted by callgrind")
+  verb.add_flag("--count", choice.count, "with --graphs: instructions are counted by callgrind")
       ->needs(files);
-  verb.add_flag("--skip", graphs.skip,
+  verb.add_flag("--skip", choice.skip,
                 "with --graphs: files that cannot be read are counted, listed and left out")
       ->needs(files);
-  add_repeated(verb, "--algorithm", graphs.algorithms,
+  add_repeated(verb, "--algorithm", choice.algorithms,
                "with --graphs: one to draw them with; may be repeated, all if left out")
       ->needs(files);
-  verb.add_option("--from", choice.reading.options.format,
+  verb.add_option("--from", choice.reading.format,
                   "with --graphs: their format; detected by content if left out")
       ->needs(files);
   add_edge_list_options(verb, choice.reading);
   for (const char* name : {"--base", "--first-line", "--undirected"})
     verb.get_option(name)->needs(files);
-  verb.add_option("--sample", graphs.sample, "with --graphs: so many graphs of each file")
+  verb.add_option("--sample", choice.sample, "with --graphs: so many graphs of each file")
       ->default_str("")
       ->check(whole_number(1, 10000000))
       ->needs(files);
-  verb.add_option("--seed", graphs.seed, "with --graphs: of sample and labels")
+  verb.add_option("--seed", choice.seed, "with --graphs: of sample and labels")
       ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
       ->needs(files);
-  verb.add_flag("--simple", graphs.simple,
+  verb.add_flag("--simple", choice.simple,
                 "with --graphs: loops and parallel edges are dropped; else they are refused")
       ->needs(files);
-  verb.add_flag("--largest-component", graphs.largest_component,
+  verb.add_flag("--largest-component", choice.largest_component,
                 "with --graphs: of each graph only its largest component")
       ->needs(files);
-  verb.add_flag("--shuffle", graphs.shuffle, "with --graphs: the labels permuted at random")
+  verb.add_flag("--shuffle", choice.shuffle, "with --graphs: the labels permuted at random")
       ->needs(files);
 }
 
 Study chosen_study(const StudyChoice& choice) {
-  if (choice.study.empty() == choice.graphs.files.empty()) {
+  if (choice.study.empty() == choice.files.empty()) {
     throw InputError("either STUDY or --graphs says what to run; --help shows both");
   }
   if (!choice.study.empty()) {
     const Study study = load_study(choice.study);
-    return choice.graphs.timed == 0 ? study : with_timed_rounds(study, choice.graphs.timed);
+    return choice.timed == 0 ? study : with_timed_rounds(study, choice.timed);
   }
-  GraphsStudy graphs = choice.graphs;
-  if (!graphs.name.empty() && graphs.files.size() > 1) {
+  if (!choice.name.empty() && choice.files.size() > 1) {
     throw InputError(
         "--name is of one collection, but there are several --graphs: a pattern in quotes, or a "
         "folder, is one");
   }
-  graphs.reading = choice.reading.read_options();
-  return parse_study(graphs_study_text(graphs), kOptionsFile);
+  return parse_study(graphs_study_text(choice), kOptionsFile);
 }
 
 std::string refuse_impossible_study(const Study& study, const SessionPolicy& policy) {

@@ -31,7 +31,7 @@ namespace {
 struct VerifyArguments {
   std::vector<std::string> inputs = {"-"};
   std::vector<std::string> graphs;
-  GraphInput graphs_as;
+  ReadOptions graphs_as;
   std::string algorithm;
   PromiseArguments promise;
   std::string test = "automatic";
@@ -45,10 +45,10 @@ struct LineToJudge {
 };
 
 /// The promise that a drawing is held to. @throws InputError as find_algorithm.
-Promise promise_of(const Drawing& drawing, const VerifyArguments& arguments) {
+Guarantee promise_of(const Drawing& drawing, const VerifyArguments& arguments) {
   if (const auto given = promise_of(arguments.promise)) return *given;
   const std::string& name = arguments.algorithm;
-  return {find_algorithm(name.empty() ? drawing.algorithm() : name).guarantee, true};
+  return find_algorithm(name.empty() ? drawing.algorithm() : name).guarantee;
 }
 
 /// Names what becomes of a line.
@@ -83,16 +83,17 @@ JudgedLine judge(const LineToJudge& task, const VerifyArguments& arguments) {
                     did_you_mean(drawing.algorithm(), names_of(algorithms())))};
   }
   try {
-    const Promise promise = promise_of(drawing, arguments);
+    const Guarantee promise = promise_of(drawing, arguments);
+    const bool leaves_box_open = arguments.promise.bends && arguments.promise.box.empty();
     const Graph graph = task.graph ? *task.graph : claimed_graph(drawing);
-    const Examination examination = examine(
-        graph, drawing, promise.guarantee, {.certificate = true, .metrics = false, .hash = false},
-        {.crossing_test = crossing_test(arguments.test),
-         .check_size = promise.has_box,
-         .mode = parse_certificate_mode(arguments.certificate),
-         .compares = [&](std::uint64_t pairs) {
-           note(stderr, "ar3d: {}: compares {} pairs of segments\n", task.where, pairs);
-         }});
+    const Examination examination =
+        examine(graph, drawing, promise, {.certificate = true, .metrics = false, .hash = false},
+                {.crossing_test = crossing_test(arguments.test),
+                 .check_size = !leaves_box_open,
+                 .mode = parse_certificate_mode(arguments.certificate),
+                 .compares = [&](std::uint64_t pairs) {
+                   note(stderr, "ar3d: {}: compares {} pairs of segments\n", task.where, pairs);
+                 }});
     const Certificate& certificate = examination.certificate;
     if (certificate.given_up && certificate.violations.empty()) {
       return {LineVerdict::unknown,
@@ -185,7 +186,7 @@ int verify_drawings(const VerifyArguments& arguments) {
   std::optional<SeveralInputs<GraphReader>> graphs;
   if (!arguments.graphs.empty()) {
     graphs.emplace(arguments.graphs, [&](const std::string& path) {
-      return std::make_unique<GraphReader>(path, arguments.graphs_as.read_options());
+      return std::make_unique<GraphReader>(path, arguments.graphs_as);
     });
   }
   std::uint64_t number = 0;

@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/printable.h"
 
 namespace ar3d {
 namespace {
@@ -71,6 +73,19 @@ bool SizeBound::holds(const std::array<std::int64_t, 3>& extents, std::uint64_t 
 std::string SizeBound::formula() const {
   return fmt::format("{}, {}, {} ({}, {})", axes[0].formula(), axes[1].formula(), axes[2].formula(),
                      name, source);
+}
+
+std::string to_string(CertificateMode mode) {
+  return mode == CertificateMode::exact ? "exact" : "none";
+}
+
+CertificateMode parse_certificate_mode(std::string_view text) {
+  for (const CertificateMode mode : {CertificateMode::exact, CertificateMode::none}) {
+    if (text == to_string(mode)) return mode;
+  }
+  throw InputError(fmt::format("certificate '{}' is none of exact and none{}",
+                               printable(std::string(text)),
+                               did_you_mean(text, {"exact", "none"})));
 }
 
 }  // namespace ar3d

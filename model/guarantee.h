@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ar3d/model/lattice.h"
@@ -70,7 +71,15 @@ enum class Claim {
   proved,    ///< every drawing keeps the whole guarantee: one that does not is violated
   measured,  ///< angles and crossings hold in exact arithmetic only: drawings are made in real
              ///< types, which round, and what they miss is measured; no box is promised
+  nothing,   ///< drawings are measured and not judged
 };
+
+/// Says how a drawing is judged: by a proof in integers, or not at all.
+enum class CertificateMode : std::uint8_t { exact, none };
+/// "exact", "none".
+std::string to_string(CertificateMode mode);
+/// @throws InputError naming the text if it is neither.
+CertificateMode parse_certificate_mode(std::string_view text);
 
 /// Holds what a theorem promises about every drawing; plain data that tests, study, verifier and
 /// report read.

@@ -253,19 +253,6 @@ Examination examine_real(const Graph& graph, const Drawing& drawing, const Guara
 
 }  // namespace
 
-std::string to_string(CertificateMode mode) {
-  return mode == CertificateMode::exact ? "exact" : "none";
-}
-
-CertificateMode parse_certificate_mode(std::string_view text) {
-  for (const CertificateMode mode : {CertificateMode::exact, CertificateMode::none}) {
-    if (text == to_string(mode)) return mode;
-  }
-  throw InputError(fmt::format("certificate '{}' is none of exact and none{}",
-                               printable(std::string(text)),
-                               did_you_mean(text, {"exact", "none"})));
-}
-
 Certificate certify(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                     const CertifyOptions& options) {
   const ExaminationParts parts{.certificate = true, .metrics = false, .hash = false};

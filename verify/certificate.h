@@ -2,8 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "ar3d/model/drawing.h"
@@ -19,13 +17,6 @@ enum class CrossingTest {
   all_pairs,  ///< the oracle: every pair of segments, O(S^2)
   halving,    ///< space is halved; segments of a small cell are compared
 };
-
-/// Says how a drawing is judged: by a proof in integers, or not at all.
-enum class CertificateMode : std::uint8_t { exact, none };
-/// "exact", "none".
-std::string to_string(CertificateMode mode);
-/// @throws InputError naming the text if it is neither.
-CertificateMode parse_certificate_mode(std::string_view text);
 
 struct CertifyOptions {
   CrossingTest crossing_test = CrossingTest::automatic;

@@ -34,23 +34,15 @@ constexpr int kResultTag = 6;  // another rank, after it: which of the two
 
 // The time between two looks for something that may come soon or late: the longer nothing has come,
 // the longer, so that looking takes next to nothing from what computes on this core.
-class Patience {
- public:
-  void pause() const {
-    constexpr Clock::duration kShortest = std::chrono::microseconds(200);
-    constexpr Clock::duration kLongest = std::chrono::milliseconds(5);
-    std::this_thread::sleep_for(std::clamp((Clock::now() - since_) / 16, kShortest, kLongest));
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point since_ = Clock::now();
-};
+void pause(const Stopwatch& waiting) {
+  const std::chrono::duration<double> pause(std::clamp(waiting.wall_s() / 16, 200e-6, 5e-3));
+  std::this_thread::sleep_for(pause);
+}
 
 void wait_quietly(MPI_Request& request) {
-  const Patience patience;
+  const Stopwatch waiting;
   int done = 0;
-  while (MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0) patience.pause();
+  while (MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0) pause(waiting);
 }
 
 void send_text(const std::string& text, int to, int tag) {
@@ -58,18 +50,16 @@ void send_text(const std::string& text, int to, int tag) {
 }
 
 std::string receive_text(int from, int tag) {
-  const Patience patience;
+  const Stopwatch waiting;
   MPI_Status status;
   int there = 0;
-  while (MPI_Iprobe(from, tag, MPI_COMM_WORLD, &there, &status), there == 0) patience.pause();
+  while (MPI_Iprobe(from, tag, MPI_COMM_WORLD, &there, &status), there == 0) pause(waiting);
   int size = 0;
   MPI_Get_count(&status, MPI_CHAR, &size);
   std::string text(static_cast<std::size_t>(size), '\0');
   MPI_Recv(text.data(), size, MPI_CHAR, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
   return text;
 }
-
-using Tell = std::function<std::string()>;
 
 Tell what_failed() {
   return [failure = std::current_exception()]() -> std::string { std::rethrow_exception(failure); };
@@ -90,19 +80,18 @@ StepResult told_by(const Tell& tell, std::string& text) {
 }
 
 // A prepared job, or one that reports why it could not be prepared.
-Work made_ready(const MakeReady& make_ready, const std::string& job) {
+std::function<Tell()> made_ready(const MakeReady& make_ready, const std::string& job) {
   try {
     return make_ready(job);
   } catch (...) {
-    return {[] {}, what_failed()};
+    return [failed = what_failed()] { return failed; };
   }
 }
 
 // Does a job. Returns how its result is reported.
-Tell done(const Work& work) {
+Tell done(const std::function<Tell()>& work) {
   try {
-    work.run();
-    return work.tell;
+    return work();
   } catch (...) {
     return what_failed();
   }
@@ -158,7 +147,7 @@ class MpiRanks final : public Ranks {
   std::pair<double, std::vector<std::string>> at_once(int count, const std::string& job,
                                                       const MakeReady& make_ready) override {
     for (int rank = 1; rank < count; ++rank) send_text(job, rank, kJobTag);
-    const Work work = made_ready(make_ready, job);
+    const auto work = made_ready(make_ready, job);
     for (int rank = 1; rank < count; ++rank) receive_text(rank, kReadyTag);
     const Stopwatch time;
     for (int rank = 1; rank < count; ++rank) send_word(rank, kGoTag);
@@ -179,7 +168,7 @@ class MpiRanks final : public Ranks {
 
   void serve(const MakeReady& make_ready) override {
     for (std::string job = receive_text(0, kJobTag); !job.empty(); job = receive_text(0, kJobTag)) {
-      const Work work = made_ready(make_ready, job);
+      const auto work = made_ready(make_ready, job);
       send_word(0, kReadyTag);
       receive_word(0, kGoTag);
       const Tell tell = done(work);

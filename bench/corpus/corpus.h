@@ -1,19 +1,14 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ar3d/base/new_file.h"
-#include "ar3d/formats/graphs/graph_format.h"
+#include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/graph.h"
-#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 
@@ -52,17 +47,6 @@ struct CorpusFile {
   /// Holds the file as a study has read it before. Given: nothing is read, its graphs are these.
   std::optional<CollectedFile> held = {};
   std::map<std::uint32_t, std::string> lines = {};  ///< of sparse6, by index
-};
-
-/// Holds how the graphs of files are taken into a study.
-struct CorpusOptions {
-  ReadOptions reading = {};        ///< whether loops and parallel edges are dropped, too
-  bool largest_component = false;  ///< of each graph only its largest connected component
-  std::uint64_t sample = 0;        ///< so many of the graphs; 0: all
-  std::uint64_t sample_seed = 0;
-  bool skip = false;  ///< a file is read up to its first error and listed; else that is thrown
-  /// Files are held, and all that there are now stand behind them; one without a graph is skipped.
-  bool looks_again = false;
 };
 
 /// Represents the graphs of files, read once and kept in a temporary file without a name, so that
@@ -149,13 +133,6 @@ class Corpus {
   std::vector<TakenGraph> entries_;   // by index
   std::vector<std::uint32_t> order_;  // indices in entries_, by n and index
   Spool spool_;
-};
-
-/// Holds what a study has listed and opened, for all copies of it: nothing is listed or read twice.
-struct OpenFiles {
-  std::optional<std::chrono::system_clock::time_point> listed;   ///< when files were first listed
-  std::map<std::string, std::vector<std::string>> listings;      ///< by path, pattern or folder
-  std::map<std::string, std::shared_ptr<const Corpus>> corpora;  ///< by files and options
 };
 
 /// Returns the graph on the vertices with keep[v], renamed in order. O(n + m).

@@ -14,6 +14,13 @@ namespace ar3d {
 /// takes in turn.
 using SettingChoices = std::pair<std::string, std::vector<std::int64_t>>;
 
+/// Describes a limit that grows with the graph.
+struct LimitByVertices {
+  double always = 0;
+  double per_vertex = 0;  ///< more, for each vertex
+  double operator()(std::uint64_t n) const { return always + per_vertex * static_cast<double>(n); }
+};
+
 /// Is a program that draws graphs: a row of the catalogue whose drawings another process makes.
 struct ExternalAlgorithm {
   ExternalAlgorithm() = default;
@@ -29,12 +36,7 @@ struct ExternalAlgorithm {
   std::string input = "edgelist";  ///< what the program reads: graph6, sparse6 or edgelist
   std::string coordinates;  ///< float or double: its decimals are read as such; empty: exactly
   bool one_graph_per_process = false;
-  double time_limit_s = 60;            ///< from request to answer
-  double time_limit_s_per_vertex = 0;  ///< more, for each vertex
-
-  double limit_s(std::uint64_t n) const {
-    return time_limit_s + time_limit_s_per_vertex * static_cast<double>(n);
-  }
+  LimitByVertices limit_s{60};  ///< from request to answer
 };
 
 /// Returns the words of the command with the options' values. @throws InputError on a brace that

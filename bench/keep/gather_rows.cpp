@@ -1,5 +1,7 @@
 // Puts rows from several files into the order of the plan. Parts of different studies, programs or
 // divisions into shards are refused, since their rows would not mean the same.
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "ar3d/base/printable.h"

@@ -1,6 +1,8 @@
 // A study from its beginning to its results file; a stopped one goes on from its journal.
 #include "ar3d/bench/keep/journaled_study.h"
 
+#include <fmt/format.h>
+
 #include <boost/scope_exit.hpp>
 
 #include "ar3d/base/printable.h"

@@ -4,6 +4,7 @@
 
 #include "ar3d/base/parallel.h"
 #include "ar3d/base/say.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/plan/plan.h"

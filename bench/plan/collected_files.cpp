@@ -13,6 +13,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/formats/text/tokens.h"
 #include "ar3d/store/journal/journal_format.h"

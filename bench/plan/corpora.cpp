@@ -1,6 +1,6 @@
 // Opens the files of a study whose graphs are instances. Each file is told apart by the hash of its
 // graphs, so that a study that goes on never takes other graphs under an old name.
-#include <glob.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <limits>
@@ -8,6 +8,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/formats/text/tokens.h"
@@ -74,11 +75,6 @@ std::string file_key(const GraphFileRecord& record, const CorpusOptions& options
                      static_cast<int>(reading.first_line), reading.simplify, reading.undirected,
                      options.largest_component, options.sample, options.sample_seed, options.skip,
                      is_held, grows);
-}
-
-bool is_family(const std::string& name) {
-  return std::any_of(families().begin(), families().end(),
-                     [&](const Family& family) { return family.name == name; });
 }
 
 void require_name(const GraphFileRecord& record, const GraphsEntry& entry) {

@@ -2,9 +2,12 @@
 // that a plan of many rows is small; rows that two sweeps ask for are planned once.
 #include "ar3d/bench/plan/plan.h"
 
+#include <fmt/format.h>
+
 #include <tuple>
 
 #include "ar3d/base/error.h"
+#include "ar3d/bench/corpus/corpus.h"
 
 namespace ar3d {
 namespace {

@@ -16,6 +16,8 @@
 
 namespace ar3d {
 
+struct CorpusFile;  // bench/corpus/corpus.h
+
 /// Describes one row to come: an algorithm with options, and which repetition.
 struct PlannedRun {
   AlgorithmChoice choice;

@@ -4,6 +4,7 @@
 
 #include "ar3d/base/random.h"
 #include "ar3d/bench/run/row_maker.h"
+#include "ar3d/generators/catalog.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {

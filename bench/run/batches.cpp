@@ -172,7 +172,7 @@ class BatchDrawer {
   }
 
   // Makes this rank's part of a batch.
-  Work make_ready(const std::string& job) {
+  std::function<Tell()> make_ready(const std::string& job) {
     std::istringstream words(job);
     int count = 1;
     std::size_t index = 0;
@@ -193,16 +193,15 @@ class BatchDrawer {
                                     plan_.timing.warm_up, std::move(begun), stop_);
     batch->warm_up();
     const auto counters = std::make_shared<HardwareCounters>();
-    const auto tell = [batch] {
-      std::string text;
-      for (const RunRecord& row : batch->take()) text += row_message(kDrawn, row);
-      return text;
+    return [batch, counters] {
+      while (batch->draw_next(-1, *counters)) {
+      }
+      return [batch] {
+        std::string text;
+        for (const RunRecord& row : batch->take()) text += row_message(kDrawn, row);
+        return text;
+      };
     };
-    return {[batch, counters] {
-              while (batch->draw_next(-1, *counters)) {
-              }
-            },
-            tell};
   }
 
  private:

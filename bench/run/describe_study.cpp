@@ -8,6 +8,7 @@
 #include <set>
 
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/session.h"
@@ -20,7 +21,7 @@ std::vector<AlgorithmRecord> algorithms_of(const StudySpec& spec) {
   std::map<std::pair<std::string, std::string>, AlgorithmRecord> records;
   for (const Sweep& sweep : spec.sweeps) {
     for (const AlgorithmChoice& choice : sweep.algorithms) {
-      if (!choice.algorithm->is_judged) continue;
+      if (!choice.is_judged()) continue;
       const Guarantee& guarantee = choice.algorithm->guarantee;
       AlgorithmRecord record{choice.algorithm->name,
                              settings_text(choice.options),

@@ -2,6 +2,7 @@
 // with limits; larger sizes follow by a power law.
 #include "ar3d/bench/run/estimate.h"
 
+#include <fmt/format.h>
 #include <malloc.h>
 
 #include <fstream>
@@ -9,6 +10,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/system_calls.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/instruments.h"
@@ -130,7 +132,7 @@ CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std
                      const Budget& budget, std::uint64_t& calibration_n) {
   constexpr double kSlow_s = 0.3;  // such drawings are known from smaller ones
   // What a program costs is not known before.
-  if (run.choice.algorithm->is_foreign) return model_through({}, {});
+  if (run.choice.program) return model_through({}, {});
   const auto measured = [&](std::uint64_t size) {
     const RowCosts costs = measured_at(instance, run, size, budget);
     if (costs.row_s > 0) calibration_n = std::max(calibration_n, size);

@@ -1,6 +1,8 @@
 // The two orders in which rows are made. The metrics phase finishes one instance after the other;
 // the timing phase goes round over all drawings, so that a disturbance meets all of them alike. The
 // settings of a graph take turns there, in an order that changes from round to round.
+#include <fmt/format.h>
+
 #include <deque>
 #include <set>
 

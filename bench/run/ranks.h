@@ -11,13 +11,10 @@
 
 namespace ar3d {
 
-/// Describes a job that was made ready.
-struct Work {
-  std::function<void()> run;          ///< what is timed
-  std::function<std::string()> tell;  ///< what came out; called once `run` is done
-};
-/// Makes a job ready: whatever is not to be timed.
-using MakeReady = std::function<Work(const std::string& job)>;
+/// Tells what came of a job.
+using Tell = std::function<std::string()>;
+/// Makes a job ready, whatever is not to be timed. What it returns is timed.
+using MakeReady = std::function<std::function<Tell()>(const std::string& job)>;
 
 /// Says what a step came to on a rank.
 enum class StepResult { done, failed, journal_full };
@@ -48,17 +45,17 @@ class Ranks {
 
   /// Has, on rank 0, ranks 0 .. count - 1 make a job ready, wait for each other, and do it at the
   /// same time, by rank 0's clock; the others are in help() meanwhile.
-  /// @return wall time from the word to begin to the news that the last is done, and what came out
-  /// (Work::tell), rank by rank. @throws InternalError what went wrong at one of them.
+  /// @return wall time from the word to begin to the news that the last is done, and what is told of
+  /// it, rank by rank. @throws InternalError what went wrong at one of them.
   /// @pre count <= size().
   virtual std::pair<double, std::vector<std::string>> at_once(int count, const std::string& job,
                                                               const MakeReady& make_ready) {
     (void)count;
-    const Work work = make_ready(job);
+    const std::function<Tell()> work = make_ready(job);
     const Stopwatch time;
-    work.run();
+    const Tell tell = work();
     const double wall_s = time.wall_s();
-    return {wall_s, {work.tell()}};
+    return {wall_s, {tell()}};
   }
   /// Does, on the others, the jobs of rank 0 until it calls dismiss().
   virtual void serve(const MakeReady& make_ready) { (void)make_ready; }

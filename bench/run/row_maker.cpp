@@ -7,6 +7,7 @@
 #include <new>
 
 #include "ar3d/base/error.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/store/columns/run_columns.h"
@@ -57,11 +58,11 @@ CertifyOptions certifying(const AlgorithmChoice& choice,
     options.proof_bytes =
         static_cast<std::uint64_t>(std::clamp((*memory)(graph.num_vertices()), 1.0, 1e18));
   }
-  if (!choice.algorithm->is_foreign) return options;
+  if (!choice.program) return options;
   guarantee.lattice = drawing.lattice();
   options.max_violations = kMostCrossings;
   options.most_comparisons = most_comparisons(graph);
-  options.check_size = choice.algorithm->is_judged;
+  options.check_size = choice.is_judged();
   return options;
 }
 
@@ -211,7 +212,7 @@ Drawing RowMaker::draw_timed(const PlannedRun& planned, const RowRequest& reques
 void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& request,
                                 RunRecord& run) {
   const AlgorithmChoice& choice = planned.choice;
-  const bool is_judged = choice.algorithm->is_judged;
+  const bool is_judged = choice.is_judged();
   Drawing drawing = draw_timed(planned, request, run);
   if (memory_.scope() != MemoryScope::process) run.draw_peak_bytes = memory_.peak_bytes();
   if (choice.level != Level::extents) {

@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <string_view>
-#include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"

@@ -1,5 +1,7 @@
 // State that all phases of a session share: which rows are there, when to stop, and the line that
 // tells how far the study is.
+#include <fmt/format.h>
+
 #include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/execute.h"

@@ -19,6 +19,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/system_calls.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/execute.h"

@@ -2,9 +2,12 @@
 // graph while a property holds (delta debugging).
 #include "ar3d/bench/search/hunt.h"
 
+#include <fmt/format.h>
+
 #include <numeric>
 
 #include "ar3d/base/error.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/generators/random_graphs.h"
 
 namespace ar3d {

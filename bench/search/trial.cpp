@@ -7,6 +7,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/bench/search/hunt.h"
+#include "ar3d/verify/certificate.h"
 
 namespace ar3d {
 
@@ -155,7 +156,7 @@ Trial try_graph(const Subject& subject, Graph graph) {
     const Algorithm& algorithm = *subject.choice.algorithm;
     const bool has_box = algorithm.guarantee.bound.promises_box();
     trial.ratio = has_box ? ratio_of(trial, subject.measure) : 0;
-    if (!algorithm.is_judged) return trial;
+    if (!subject.choice.is_judged()) return trial;
     const Certificate certificate = certify(trial.graph, drawing, algorithm.guarantee);
     if (certificate.violated()) {
       const Violation& first = certificate.violations.front();

@@ -1,5 +1,4 @@
-// Reads the `graphs` of a specification, and writes the specification of a study that the command
-// line names by its files of graphs.
+// Reads the `graphs` of a specification.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/bench/spec/toml_table.h"
 #include "ar3d/formats/catalog.h"
+#include "ar3d/generators/catalog.h"
 
 namespace ar3d {
 namespace {
@@ -63,37 +63,18 @@ void read_table(const toml::node& node, GraphsEntry& entry) {
   reading.simplify = reading.simplify || reading.undirected;
 }
 
-std::string toml_quoted(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') quoted += '\\';
-    if (byte < 32 || byte == 127) {
-      quoted += fmt::format("\\u{:04X}", byte);
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + '"';
-}
-
-/// Returns what a folder's collection is called; empty if it is no folder.
-std::string folder_name(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::is_directory(path, error)) return "";
-  return own_graphs_name(std::filesystem::canonical(path, error).string());
-}
-
 }  // namespace
+
+bool is_family(const std::string& name) {
+  return std::ranges::find(families(), name, &Family::name) != families().end();
+}
 
 std::string own_graphs_name(const std::string& path) {
   std::string name = std::filesystem::path(path).filename().string();
   for (char& c : name) {
     if (!is_graphs_name(std::string("a") + c)) c = '_';
   }
-  const bool is_family =
-      std::ranges::any_of(families(), [&](const Family& family) { return family.name == name; });
-  std::string own = !is_graphs_name(name.substr(0, 1)) || is_family ? "_" : "";
+  const std::string own = !is_graphs_name(name.substr(0, 1)) || is_family(name) ? "_" : "";
   return (own + name).substr(0, kLongestGraphsName);
 }
 
@@ -121,35 +102,6 @@ std::vector<GraphsEntry> read_graphs(const toml::node& node) {
     }
   }
   return entries;
-}
-
-std::string graphs_study_text(const GraphsStudy& study) {
-  const ReadOptions& reading = study.reading;
-  std::string text =
-      fmt::format("study = \"graphs\"\nseed = {}\n{}\n[[sweep]]\n{}graphs = [\n", study.seed,
-                  study.count ? "count = true\n" : "",
-                  study.timed > 0 ? fmt::format("timed_repetitions = {}\n", study.timed) : "");
-  for (const std::string& file : study.files) {
-    const std::string name = study.name.empty() ? folder_name(file) : study.name;
-    text += name.empty() ? "  { file = " : "  { files = ";
-    text += toml_quoted(file);
-    if (!name.empty()) text += ", name = " + toml_quoted(name);
-    if (!study.groups.empty()) text += ", groups = " + toml_quoted(study.groups);
-    if (study.skip) text += ", skip = true";
-    if (study.sample > 0) text += fmt::format(", sample = {}", study.sample);
-    if (!reading.format.empty()) text += ", format = " + toml_quoted(reading.format);
-    if (reading.base) text += fmt::format(", base = {}", *reading.base);
-    if (reading.first_line == FirstLine::edge) text += ", first_line = \"edge\"";
-    if (reading.first_line == FirstLine::header) text += ", first_line = \"header\"";
-    if (study.simple) text += ", simple = true";
-    if (reading.undirected) text += ", undirected = true";
-    if (study.largest_component) text += ", largest_component = true";
-    if (study.shuffle) text += ", shuffle = 1";
-    text += " },\n";
-  }
-  text += "]\nalgorithms = [";
-  for (const std::string& algorithm : study.algorithms) text += toml_quoted(algorithm) + ", ";
-  return text + (study.algorithms.empty() ? "\"all\"]\n" : "]\n");
 }
 
 }  // namespace ar3d

@@ -116,7 +116,7 @@ std::vector<Settings> combinations(const std::vector<SettingChoices>& settings) 
 
 void refuse_bad_batches(const toml::node& node, const Sweep& sweep) {
   if (sweep.batches.empty()) return;
-  if (any(sweep, [](const AlgorithmChoice& c) { return c.algorithm->is_foreign; })) {
+  if (any(sweep, [](const AlgorithmChoice& c) { return c.program != nullptr; })) {
     refuse_toml(node, "strong and weak batches are of the catalogue's algorithms only");
   }
   if (any(sweep, [](const AlgorithmChoice& c) { return c.level != Level::extents; })) {

@@ -24,6 +24,8 @@ inline constexpr std::size_t kLongestGraphsName = 47;
 /// Returns true if a study and its results can know graphs by this name: 1 to 47 letters, digits,
 /// '.', '-' and '_', of which the first is none of '.' and '-'.
 bool is_graphs_name(const std::string& name);
+/// Returns true if a family of the catalogue has this name.
+bool is_family(const std::string& name);
 /// Returns what the graphs of a file or folder are called: its name, cut where it is too long; what
 /// no name may have becomes '_', which also stands before the name of a family of the catalogue.
 std::string own_graphs_name(const std::string& path);

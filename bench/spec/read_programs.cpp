@@ -47,6 +47,7 @@ Guarantee read_guarantee(const toml::node& node) {
 // Nothing is promised, so nothing is refused.
 Guarantee no_guarantee() {
   Guarantee guarantee;
+  guarantee.claim = Claim::nothing;
   guarantee.max_degree = std::numeric_limits<std::uint32_t>::max();
   guarantee.max_bends = std::numeric_limits<std::uint32_t>::max() - 1;
   guarantee.angle_rule = AngleRule::at_least;
@@ -117,13 +118,10 @@ std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
                                      printable(program.version)));
   };
   const auto read_guarantee_of_program = [&](const toml::node& guarantee, const std::string&) {
-    program.row.is_judged = true;
     program.row.guarantee = read_guarantee(guarantee);
   };
   program.row.guarantee = no_guarantee();
   program.row.summary = "a program of the study";
-  program.row.is_foreign = true;
-  program.row.is_judged = false;
   program.row.draw = [&program](const Graph& graph, const Settings& options) {
     return ExternalDrawer::draw(program, graph, options);
   };
@@ -135,8 +133,8 @@ std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
        {"version", read_version},
        {"coordinates", choice_into(program.coordinates, {"float", "double"})},
        {"one_graph_per_process", into(program.one_graph_per_process)},
-       {"time_limit_s", number_into(program.time_limit_s, 1e-3, 1e6)},
-       {"time_limit_s_per_vertex", number_into(program.time_limit_s_per_vertex, 0, 1e6)},
+       {"time_limit_s", number_into(program.limit_s.always, 1e-3, 1e6)},
+       {"time_limit_s_per_vertex", number_into(program.limit_s.per_vertex, 0, 1e6)},
        {"guarantee", read_guarantee_of_program}},
       [&](const toml::node& given, const std::string& option) {
         program.choices.emplace_back(option, option_values(given, option, program.command));
@@ -145,7 +143,7 @@ std::shared_ptr<const ExternalAlgorithm> read_program(const toml::node& node) {
         first.push_back({option, first_value});
       });
   if (!program.coordinates.empty()) {
-    if (program.row.is_judged) {
+    if (program.row.guarantee.claim == Claim::proved) {
       refuse_toml(node, "coordinates in a real type keep no guarantee: leave one of the two out");
     }
     program.row.guarantee.claim = Claim::measured;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -10,16 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/algorithms/algorithm.h"
-#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/external/external_algorithm.h"
-#include "ar3d/generators/catalog.h"
-#include "ar3d/model/drawing.h"
+#include "ar3d/formats/graphs/read_options.h"
 #include "ar3d/store/columns/side_tables.h"
-#include "ar3d/store/columns/study_identity.h"
-#include "ar3d/verify/certificate.h"
 
 namespace ar3d {
+
+class Corpus;   // bench/corpus/corpus.h
+struct Family;  // generators/catalog.h
 
 /// Describes rounds of the timing phase, each with one repetition of a drawing: between `least` and
 /// `most`, until times are stable within the precision (make_timing); exactly `most` if it is 0.
@@ -43,13 +42,6 @@ struct TimingRules {
   std::uint32_t concurrency = 1;  ///< timed drawings at the same time, each on a core of its own
   bool write = false;             ///< time the formatting as JSON lines too
   bool restart = false;           ///< programs of the study are started anew in each round
-};
-
-/// Describes a limit that grows with the graph.
-struct LimitByVertices {
-  double always = 0;
-  double per_vertex = 0;  ///< more, for each vertex
-  double operator()(std::uint64_t n) const { return always + per_vertex * static_cast<double>(n); }
 };
 
 /// Holds what a study may cost. A row that passes its limit is a row with status timeout or
@@ -87,9 +79,22 @@ struct FamilyChoice {
 struct AlgorithmChoice {
   const Algorithm* algorithm = nullptr;  ///< of the catalogue, or the program's row
   Settings options;
-  std::shared_ptr<const ExternalAlgorithm> owner = {};   ///< of the program's row
-  CertificateMode certificate = CertificateMode::exact;  ///< that judges its drawings
+  std::shared_ptr<const ExternalAlgorithm> program = {};  ///< null: of the catalogue
+  CertificateMode certificate = CertificateMode::exact;   ///< that judges its drawings
   Level level = Level::extents;
+  /// Returns false for a program that promises nothing: its drawings are only measured.
+  bool is_judged() const { return !program || algorithm->guarantee.claim == Claim::proved; }
+};
+
+/// Holds how the graphs of files are taken into a study.
+struct CorpusOptions {
+  ReadOptions reading = {};        ///< whether loops and parallel edges are dropped, too
+  bool largest_component = false;  ///< of each graph only its largest connected component
+  std::uint64_t sample = 0;        ///< so many of the graphs; 0: all
+  std::uint64_t sample_seed = 0;
+  bool skip = false;  ///< a file is read up to its first error and listed; else that is thrown
+  /// Files are held, and all that there are now stand behind them; one without a graph is skipped.
+  bool looks_again = false;
 };
 
 /// Describes files whose graphs are instances.
@@ -150,6 +155,13 @@ struct StudySpec {
   std::string text;              ///< the verbatim TOML
 };
 
+/// Holds what a study has listed and opened, for all copies of it: nothing is listed or read twice.
+struct OpenFiles {
+  std::optional<std::chrono::system_clock::time_point> listed;   ///< when files were first listed
+  std::map<std::string, std::vector<std::string>> listings;      ///< by path, pattern or folder
+  std::map<std::string, std::shared_ptr<const Corpus>> corpora;  ///< by files and options
+};
+
 /// Holds where the graphs of a study's files are, and what a study that has begun knows of them.
 struct StudyFiles {
   /// Holds where the files of `graphs` are looked for; empty: in the current folder.
@@ -201,28 +213,6 @@ Study recorded_study(const StudyIdentity& identity, const std::string& file);
 /// @throws InputError naming the unknown algorithm or option.
 AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
                                  const Settings& options);
-
-/// Describes graphs of files to be drawn, as the command line has it.
-struct GraphsStudy {
-  std::vector<std::string> files;       ///< paths, patterns or folders, from the current one
-  std::string name;                     ///< given: all files are one collection of this name
-  std::string groups;                   ///< of the collection: table file -> group
-  std::vector<std::string> algorithms;  ///< empty: all
-  std::uint64_t seed = 0;
-  std::uint64_t sample = 0;  ///< of each file; 0: all graphs
-  bool skip = false;         ///< files that cannot be read are left out
-  bool simple = false;       ///< loops and parallel edges are dropped
-  bool largest_component = false;
-  bool shuffle = false;
-  bool count = false;
-  std::uint64_t timed = 0;   ///< rounds of the timing phase
-  ReadOptions reading = {};  ///< of every file: format, base and first line
-};
-
-/// Holds the name of every study that a GraphsStudy is short for.
-inline constexpr const char* kGraphsStudy = "graphs";
-/// Returns the specification that a GraphsStudy is short for, to be parsed as of kOptionsFile.
-std::string graphs_study_text(const GraphsStudy& study);
 
 /// Returns "ar3d-<name>.h5".
 std::string default_results_path(const StudySpec& spec);

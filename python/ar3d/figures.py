@@ -567,9 +567,9 @@ def make_figures(arguments):
         folder.mkdir(parents=True, exist_ok=True)
         for page, figure in made:
             for path in (path for of, path in wanted if of == page):
-                undated = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(path.suffix[1:])
+                metadata = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(path.suffix[1:])
                 half = path.with_name(f".{path.stem}.part{path.suffix}")
-                figure.savefig(half, dpi=300, **({"metadata": undated} if undated else {}))  # pgf takes none
+                figure.savefig(half, metadata=metadata, dpi=300)
                 os.replace(half, path)
     except (FileNotFoundError, AttributeError) as error:
         raise Refused("pgf needs LaTeX: apt install texlive-latex-base texlive-pictures") from error

@@ -7,6 +7,7 @@
 #include "ar3d/store/columns/run_record.h"
 #include "ar3d/store/columns/study_identity.h"
 #include "ar3d/store/columns/table.h"
+#include "ar3d/verify/metrics/metrics.h"
 
 namespace ar3d {
 

@@ -6,9 +6,8 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
-
-#include "ar3d/verify/metrics/metrics.h"
 
 namespace ar3d {
 
@@ -90,8 +89,8 @@ struct RunRecord {
                                                                       ///< last: 7 or more
   double total_edge_length = kMissing;
   double longest_edge_length = kMissing;
-  double smallest_vertex_distance = kMissing;  ///< missing if n < 2
-  std::vector<MetricValue> other_metrics;      ///< empty: all missing
+  double smallest_vertex_distance = kMissing;                     ///< missing if n < 2
+  std::vector<std::variant<std::int64_t, double>> other_metrics;  ///< empty: all missing
 
   // What follows from algorithm, options and n; see set_bounds(). No columns of /runs.
   std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};

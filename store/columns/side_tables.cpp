@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <set>
+#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/store/columns/record_pass.h"

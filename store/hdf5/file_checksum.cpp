@@ -1,7 +1,5 @@
 // A hash of the whole file stands behind its HDF5 part, where HDF5 does not look. It is checked
 // before HDF5 sees the file.
-#include "ar3d/store/hdf5/file_checksum.h"
-
 #include <sys/stat.h>
 #include <xxhash.h>
 
@@ -14,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/base/error.h"
 #include "ar3d/base/system_calls.h"
+#include "ar3d/store/hdf5/results_file.h"
 
 namespace ar3d {
 namespace {

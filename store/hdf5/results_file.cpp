@@ -38,7 +38,6 @@
 #include <unordered_set>
 
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/hdf5/file_checksum.h"
 #include "ar3d/store/hdf5/hdf5_table.h"
 #include "ar3d/store/journal/journal_format.h"
 

@@ -62,6 +62,19 @@ void write_results(const StudyIdentity& identity, const std::vector<EnvironmentE
                    std::size_t rows, const std::function<void(std::size_t i, char* record)>& read,
                    const std::string& path);
 
+/// A results file ends with 40 bytes behind the end of its HDF5 part, which HDF5 does not look at:
+/// "ar3d-checksum 1\n", the number of bytes before (8 bytes, little endian) and the XXH3-128 hash
+/// of everything up to there (canonical: big endian).
+inline constexpr std::size_t kChecksumSize = 40;
+
+/// Appends it to an open file that is otherwise complete. @return 0, or the errno of what failed.
+int append_checksum(int descriptor);
+
+/// Reads the whole file. @return true if its checksum is right; false if another program has opened it
+/// for writing, which cuts the checksum off, or has it open. @throws InputError naming `path` if it
+/// cannot be read or its checksum is a wrong one.
+bool has_checksum(int descriptor, const std::string& path);
+
 /// Returns the version of the HDF5 library in use, "1.10.8".
 std::string hdf5_version();
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ar3d/base/error.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/run/row_maker.h"
 #include "bench/graph_files.h"
 

@@ -2,6 +2,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
+#include "ar3d/generators/catalog.h"
 #include "ar3d/verify/certificate.h"
 #include "support/graphs.h"
 

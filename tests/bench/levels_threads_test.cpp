@@ -7,6 +7,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/analysis/check.h"
 #include "ar3d/base/error.h"
+#include "ar3d/generators/catalog.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"

@@ -5,6 +5,7 @@
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/run/row_maker.h"
+#include "ar3d/generators/catalog.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/seeded.h"
 

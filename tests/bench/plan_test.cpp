@@ -6,6 +6,7 @@
 #include <set>
 
 #include "ar3d/base/error.h"
+#include "ar3d/generators/catalog.h"
 
 namespace ar3d::testing {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
+#include "ar3d/generators/catalog.h"
 #include "support/parts.h"
 #include "support/problem.h"
 #include "support/test.h"

@@ -17,6 +17,7 @@
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/session.h"
+#include "ar3d/generators/catalog.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 #include "bench/seeded.h"

@@ -7,7 +7,7 @@
 
 #include "ar3d/base/new_file.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/hdf5/file_checksum.h"
+#include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/rows.h"
 #include "support/test.h"
 
