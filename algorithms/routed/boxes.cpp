@@ -21,8 +21,9 @@ constexpr int kPatienceOfCuts = 15;
 constexpr int kPatienceOfScattered = 6;
 constexpr std::uint64_t kSearchesOfScaled = 6;  // for each edge, in a box that is scaled
 constexpr int kFirstBoxes = 10;
-constexpr int kMostLayers = 5;                // that a box grows by before it is given up
-constexpr std::uint64_t kMostOfSmall = 16;    // vertices of graphs that start on random points
+constexpr int kMostLayers = 5;              // that a box grows by before it is given up
+constexpr std::uint64_t kMostOfSmall = 16;  // vertices of graphs that start on random points
+constexpr std::uint64_t kMostEdgesOfSmall = 24;
 constexpr std::uint64_t kMostPlaced = 50000;  // vertices, by other starts
 
 class BoxSearch {
@@ -34,7 +35,7 @@ class BoxSearch {
   std::optional<Routing> run() {
     const std::uint64_t edges = graph_.num_edges();
     const std::uint64_t usual =  // of effort 1
-        std::min(150 * edges + 2500, points_.is_body() ? 25 * edges + 20000 : 18 * edges + 10000);
+        std::min(150 * edges + 2500, bends_ == 3 ? 12 * edges + 10000 : 25 * edges + 20000);
     const std::uint64_t most_times = is_small() ? 20 : 10;
     most_searches_ = 2 * usual;
     if (find_first() && options_.effort > 0) {
@@ -49,7 +50,9 @@ class BoxSearch {
   }
 
  private:
-  bool is_small() const { return graph_.num_vertices() <= kMostOfSmall; }
+  bool is_small() const {
+    return graph_.num_vertices() <= kMostOfSmall && graph_.num_edges() <= kMostEdgesOfSmall;
+  }
   bool may_go_on() const { return counts_.searches < most_searches_; }
 
   /// Negotiates in a box; the routing is the best one if it is a drawing.
@@ -197,8 +200,8 @@ Limits first_box(const PointClass& points, int bends, std::uint64_t n) {
   // c sqrt(n) + 3, c in twentieths; it grows if no box is legal.
   const std::int64_t above = n > 1000 ? static_cast<std::int64_t>(n) - 1000 : 0;
   const std::int64_t c = points.is_body()
-                             ? (bends == 5 ? 53 + above * 3 / 1000 : 70 + above / 80)
-                             : (bends == 5 ? 33 + above / 1200 : 40 + above * 9 / 5000);
+                             ? (bends == 5 ? 45 + above * 3 / 1000 : 60 + above / 80)
+                             : (bends == 5 ? 22 + above / 1200 : 28 + above * 9 / 5000);
   std::int64_t side = 0;
   while (400 * side * side < c * c * static_cast<std::int64_t>(n)) ++side;
   side += 3;
