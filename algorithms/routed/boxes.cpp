@@ -20,6 +20,7 @@ constexpr int kPatience = 25;                    // rounds without gain, all edg
 constexpr int kPatienceOfCuts = 15;
 constexpr int kPatienceOfScattered = 6;
 constexpr std::uint64_t kSearchesOfScaled = 6;  // for each edge, in a box that is scaled
+constexpr std::uint64_t kEasySearches = 5;      // for each edge, in a box far too large
 constexpr int kFirstBoxes = 10;
 constexpr int kMostLayers = 5;              // that a box grows by before it is given up
 constexpr std::uint64_t kMostOfSmall = 16;  // vertices of graphs that start on random points
@@ -64,7 +65,8 @@ class BoxSearch {
     Negotiation negotiation(graph_, points_, bends_, std::move(given),
                             mix_seed(kSeed, static_cast<std::uint64_t>(counts_.boxes)));
     const std::size_t conflicts = negotiation.run(patience, most_searches_ - counts_.searches);
-    counts_.searches += negotiation.searches();
+    searches_of_box_ = negotiation.searches();
+    counts_.searches += searches_of_box_;
     last_ = negotiation.routing();
     if (conflicts > 0) {
       counts_.conflicts = conflicts;
@@ -99,19 +101,23 @@ class BoxSearch {
     return false;
   }
 
-  /// Boxes of sides smaller by 5 %, until one is not legal soon.
+  /// Boxes of sides smaller by 5 %, until one is not legal soon; by 20 % while that takes few
+  /// searches, as in the first boxes of trees and grids.
   void scale_down() {
     const std::uint64_t most = most_searches_;
+    bool is_easy = searches_of_box_ <= kEasySearches * graph_.num_edges();
     while (may_go_on()) {
       const Spot sides = best_->layout.limits.sides();
-      const auto last = [&](int side) { return side - 1 - std::max(1, side / 20); };
+      const int share = is_easy ? 5 : 20;
+      const auto last = [&](int side) { return side - 1 - std::max(1, side / share); };
       const Limits box{{0, 0, 0}, {last(sides.x), last(sides.y), last(sides.z)}};
       if (box.high.x < 1 || box.high.y < 1 || box.high.z < 1) return;
       const auto layout = rescaled(points_, best_->layout, box);
       most_searches_ = std::min(most, counts_.searches + kSearchesOfScaled * graph_.num_edges());
       const bool is_legal = layout && try_box({*layout, {}}, kPatience);
       most_searches_ = most;
-      if (!is_legal) return;
+      if (!is_legal && !is_easy) return;
+      is_easy = is_legal && searches_of_box_ <= kEasySearches * graph_.num_edges();
     }
   }
 
@@ -190,6 +196,7 @@ class BoxSearch {
   BoxOptions options_;
   BoxCounts& counts_;
   std::uint64_t most_searches_ = 0;
+  std::uint64_t searches_of_box_ = 0;  // of the last one
   std::optional<Routing> best_;
   Routing last_;
 };
