@@ -8,7 +8,7 @@ import {fileURLToPath} from "node:url";
 import {chromium} from "./browser.mjs";
 
 const [program, figures] = process.argv.slice(2).map(word => resolve(word)), folder = mkdtempSync(join(tmpdir(), "ar3d-views-"));
-const views = [["k5", "diamond", 0, 0], ["petersen", "grid", 1.25, 0.1], ["octahedron", "compact", 0.5, 0.05],
+const views = [["k5", "diamond", 0, 0], ["petersen", "routed-120", 1.25, 0.1], ["octahedron", "routed", 0.5, 0.05],
   ["k5", "two-bends", 0.4, 0.1]];
 const root = join(dirname(fileURLToPath(import.meta.url)), "..");  // k5-two-bends: the first of the finished drawings
 const finished = readFileSync(join(root, "docs", "open-questions", "small_drawings.jsonl"), "utf8").split("\n")[0];
