@@ -9,7 +9,6 @@
 
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
-#include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "commands.h"
 #include "outputs.h"

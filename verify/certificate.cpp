@@ -4,10 +4,7 @@
 
 #include <chrono>
 
-#include "ar3d/base/error.h"
-#include "ar3d/base/nearest_name.h"
 #include "ar3d/base/parallel.h"
-#include "ar3d/base/printable.h"
 #include "ar3d/model/real_points.h"
 #include "ar3d/verify/checks/checks.h"
 #include "ar3d/verify/counting/counting_proof.h"

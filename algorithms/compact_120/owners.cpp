@@ -2,8 +2,8 @@
 // each node but the root owns the edge to its parent. The root is then moved to a leaf or, if there
 // is a cycle, to an end of the edge that the search did not use, which the root owns. Cost: O(n).
 // What the searches read at random is a byte per node and the graph's rows, which are prefetched
-// when a node is found. Late repairs of an order change few components, so only those with an end of an
-// edge whose ends changed sides are searched again, each from its first node, as at first.
+// when a node is found. Late repairs of an order change few components, so only those with an end
+// of an edge whose ends changed sides are searched again, each from its first node, as at first.
 #include <algorithm>
 
 #include "ar3d/algorithms/compact_120/order.h"

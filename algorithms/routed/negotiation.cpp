@@ -1,8 +1,8 @@
 // Steps R.3 to R.5, negotiated congestion (PathFinder; McMurchie and Ebeling 1995): edges share
 // points at first, for a price that grows, until the price has parted them; the vertices of edges in
-// conflict, and those on routes, are moved meanwhile. Edges are searched in groups, side by side against the prices of
-// that moment; their routes are then taken in turn, each only if it is still not dearer than the old
-// one. So threads change the time and not the drawing. Cost: the searches, nearly.
+// conflict, and those on routes, are moved meanwhile. Edges are searched in groups, side by side
+// against the prices of that moment; their routes are then taken in turn, each only if it is still
+// not dearer than the old one. So threads change the time, not the drawing. Cost: the searches.
 #include "ar3d/algorithms/routed/negotiation.h"
 
 #include <algorithm>

@@ -65,8 +65,8 @@ class RouteSearch {
   int bends_;
   std::vector<CostFields> fields_;  // of the first end, or of each neighbour
   std::vector<std::size_t> passed_;
-  // The places of a vertex: rows of points, what they cost routes (-1: a vertex is there), a bound from below
-  // for the vertex there; least costs of arriving, by neighbour and arm.
+  // The places of a vertex: rows of points, what they cost routes (-1: a vertex is there), a bound
+  // from below for the vertex there; least costs of arriving, by neighbour and arm.
   std::vector<Spot> place_rows_;
   std::size_t place_lanes_ = 0;
   std::vector<int> place_costs_;

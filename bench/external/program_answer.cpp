@@ -72,10 +72,8 @@ std::vector<DecimalPoint> bends_of(const DecimalDrawing& read,
                                    const std::vector<std::size_t>& order, EdgeId e) {
   if (order.empty()) return {};
   const std::size_t drawn = order[e];
-  const auto at = [&](std::size_t i) {
-    return read.bends.begin() + static_cast<std::ptrdiff_t>(read.offsets[i]);
-  };
-  std::vector<DecimalPoint> bends(at(drawn), at(drawn + 1));
+  const DecimalPoint* all = read.bends.data();
+  std::vector<DecimalPoint> bends(all + read.offsets[drawn], all + read.offsets[drawn + 1]);
   if ((*read.edges)[drawn].u > (*read.edges)[drawn].v) std::ranges::reverse(bends);
   return bends;
 }

@@ -5,7 +5,6 @@
 #include "ar3d/base/random.h"
 #include "ar3d/bench/run/row_maker.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 namespace {

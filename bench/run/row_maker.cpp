@@ -233,9 +233,12 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
       certifying(choice, circumstances_.certify_memory_bytes, *graph_, drawing, guarantee);
   Examination examination = examine(*graph_, drawing, guarantee, {}, how);
   const Stopwatch angles_time;
-  if (!examination.summary.real) {
-    set_angles_and_crossings(*graph_, drawing, guarantee, examination.certificate,
-                             examination.summary);
+  auto& summary = examination.summary;
+  if (!summary.real) {
+    set_angles_and_crossings(*graph_, drawing, guarantee, examination.certificate, summary);
+  } else if (!is_judged) {  // versions of a program are compared by these
+    summary.smallest_vertex_angle = summary.real->smallest_vertex_angle;
+    summary.smallest_bend_angle = summary.real->smallest_bend_angle;
   }
   run.certify_s = examination.certify_s;
   run.metrics_s = examination.metrics_s + angles_time.wall_s();

@@ -56,11 +56,10 @@ constexpr Beginning kWords[] = {
 constexpr std::string_view kStars[] = {"*vertices", "*network", "*arcs",
                                        "*edges",    "*matrix",  "*node"};
 
-/// Graphs of 28 and of 60 vertices begin with the brackets of JSON, but no such line of JSON has
-/// more than four characters.
+/// Graphs of 28 and 60 vertices begin with a bracket. JSON without digits and commas is short.
 bool is_graph6(std::string_view text) {
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
-  return line.size() > 4 && std::ranges::all_of(line, [](char c) { return c >= '?' && c <= '~'; });
+  return line.size() > 16 && std::ranges::all_of(line, [](char c) { return c >= '?' && c <= '~'; });
 }
 
 }  // namespace

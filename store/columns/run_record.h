@@ -90,7 +90,7 @@ struct RunRecord {
   double total_edge_length = kMissing;
   double longest_edge_length = kMissing;
   double smallest_vertex_distance = kMissing;                     ///< missing if n < 2
-  std::vector<std::variant<std::int64_t, double>> other_metrics;  ///< empty: all missing
+  std::vector<std::variant<std::int64_t, double>> other_metrics;  ///< MetricValues; empty: missing
 
   // What follows from algorithm, options and n; see set_bounds(). No columns of /runs.
   std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};

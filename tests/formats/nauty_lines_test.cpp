@@ -48,6 +48,11 @@ TEST(NautyLines, EveryFirstCharacterIsReadWithoutASuffix) {
   }
 }
 
+TEST(NautyLines, AnUnfinishedLineIsNoJson) {
+  EXPECT_THAT(refusal("[" + std::string(40, '?') + "\n"), HasSubstr("28 vertices take"));
+  EXPECT_THAT(refusal("[true]\n"), HasSubstr("JSON"));
+}
+
 TEST(NautyLines, AgreeWithNautyOnEveryPaddingOfPowersOfTwo) {
   for (const char* n : {"1", "2", "3", "4", "5", "7", "8"}) {
     const std::string size = n;

@@ -66,7 +66,8 @@ class Assessor {
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       if (segments_[i].is_vertex) continue;
       ++result_.segments;
-      if (!segments_[i].is_first) judge({&segments_[i - 1], true}, {&segments_[i], false}, false);
+      if (segments_[i].is_first) continue;
+      judge({&segments_[i - 1], true}, {&segments_[i], false}, false, result_.smallest_bend_angle);
     }
   }
 
@@ -81,15 +82,16 @@ class Assessor {
     for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
       for (std::size_t i = 0; i < legs[v].size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-          judge(legs[v][i], legs[v][j], graph_.degree(v) == 3);
+          judge(legs[v][i], legs[v][j], graph_.degree(v) == 3, result_.smallest_vertex_angle);
         }
       }
     }
   }
 
-  void judge(Leg a, Leg b, bool exactly) {
+  void judge(Leg a, Leg b, bool exactly, double& smallest) {
     const double missing = verify::short_of_120(a.direction(), b.direction());
-    const double miss = exactly ? std::abs(missing) : std::max(missing, 0.0);
+    const double miss = exactly || missing > 0 ? std::abs(missing) : 0;
+    smallest = std::fmin(smallest, 120 - missing);
     ++result_.angles;
     result_.largest_miss = std::max(result_.largest_miss, miss);
     result_.mean_square_miss += miss * miss;

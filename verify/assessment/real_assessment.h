@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "ar3d/model/graph.h"
@@ -20,9 +21,11 @@ struct RealAssessment {
   /// Shares are counted of misses of at most so many degrees.
   static constexpr std::array<double, 4> kLimits{1e-12, 1e-9, 1e-6, 1e-3};
 
-  std::uint64_t angles = 0;               ///< judged
-  double largest_miss = 0;                ///< of all angles, in degrees, relative error below 1e-14
-  double mean_square_miss = 0;            ///< in degrees^2
+  std::uint64_t angles = 0;     ///< judged
+  double largest_miss = 0;      ///< of all angles, in degrees, relative error below 1e-14
+  double mean_square_miss = 0;  ///< in degrees^2
+  double smallest_vertex_angle = std::numeric_limits<double>::quiet_NaN();  ///< degrees, if any
+  double smallest_bend_angle = std::numeric_limits<double>::quiet_NaN();    ///< likewise
   std::array<std::uint64_t, 4> within{};  ///< angles that miss by at most kLimits[i] degrees
   std::uint64_t segments = 0;             ///< of positive length
   std::uint64_t collapsed = 0;            ///< segments of length zero
