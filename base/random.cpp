@@ -1,4 +1,4 @@
-// Random numbers come from Philox, which computes any number of a stream from its place. So loops
+// Random numbers come from Philox, which computes any number of a stream from its index. So loops
 // on several threads draw the same numbers as one.
 #include "ar3d/base/random.h"
 

@@ -39,8 +39,8 @@ Graph diamond_necklace(Count k);
 Graph random_cactus(Count cycles, Count length, std::uint64_t seed);
 
 /// A long cycle whose vertices carry triangles (0, 2, 4) and (1, 3, 5) in every six along it:
-/// 4-regular, n = 6k, k >= 2, m = 2n, 2-connected. Labels: first the vertices at even places of the
-/// cycle, then those at odd places; so `diamond` pairs the triangles' edges with each other and
+/// 4-regular, n = 6k, k >= 2, m = 2n, 2-connected. Labels: first the vertices with even index on the
+/// cycle, then those with odd index; so `diamond` pairs the triangles' edges with each other and
 /// colours them green, and the cycle red. Every triangle is then a green cycle contained in a red
 /// one, cannot be closed at two of its three edges, and has a Z with |dX| = 2, |dY| = 4.
 Graph contained_cycles(Count k);

@@ -223,7 +223,7 @@ Graph nanotube(Count around, Count rings) {
   for (Count r = 0; r < rings; ++r) {
     const Count start = first_ring + r * ring;
     builder.cycle(start, ring);
-    for (Count i = 0; i < around; ++i) {  // even places look up, odd places down
+    for (Count i = 0; i < around; ++i) {  // even ones look up, odd ones down
       builder.edge(r == 0 ? i : start - ring + 2 * i + 1, start + 2 * i);
     }
   }

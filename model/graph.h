@@ -36,7 +36,7 @@ class Graph {
 
   /// @param num_vertices  n < 2^32 - 1.
   /// @param edges  m < 2^31 pairs of ids below n in any order, no loops, no pair twice either way.
-  /// @throws EdgeError naming the offending edge (its place in `edges`) and value, InputError if
+  /// @throws EdgeError naming the offending edge (its index in `edges`) and value, InputError if
   /// too many. Cost: O(n + m log D), D the largest degree, on all threads; memory: make_canonical.
   Graph(std::uint64_t num_vertices, std::vector<Edge> edges);
 

@@ -33,7 +33,7 @@ struct Pairing {
   std::string first_missing;      ///< which one, for people; empty if none
 };
 
-/// Matches rows by what they measure, not by their place. The pointers are into the arguments.
+/// Matches rows by what they measure, not by their index. The pointers are into the arguments.
 /// @throws InputError if one side holds the same measurement twice. Cost: O(r log r) for r rows.
 Pairing pair_rows(const Results& base, const Results& now);
 

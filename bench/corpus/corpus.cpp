@@ -150,7 +150,7 @@ class Corpus::Scan {
     corpus_.files_.push_back(std::move(file));
   }
 
-  /// Its places are those that it had.
+  /// Its graphs keep the indices that they had.
   void take_held(const CorpusFile& file) {
     const CollectedFile& record = *file.held;
     const auto first = static_cast<std::uint64_t>(record.first);
@@ -312,8 +312,8 @@ Graph Corpus::graph(std::uint32_t index) const {
       entries_.begin(), entries_.end(), index,
       [](const TakenGraph& entry, std::uint32_t wanted) { return entry.index < wanted; });
   if (at == entries_.end() || at->index != index) {
-    throw InputError(fmt::format("{}: no graph is taken from place {} of its {} graphs", path_,
-                                 index, graphs_in_file_));
+    throw InputError(fmt::format("{}: no graph is taken at index {} of its {} graphs", path_, index,
+                                 graphs_in_file_));
   }
   return spool_.read(at->offset);
 }

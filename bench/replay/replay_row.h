@@ -44,7 +44,7 @@ Drawing redrawn(const RunRecord& row, const StudyOrigin& origin = {});
 /// @throws InputError as plan_of_row.
 RunRecord replayed(const RunRecord& row, const StudyOrigin& origin = {});
 
-/// Returns the places of `count` rows drawn at random without replacement, increasing; all if there
+/// Returns the indices of `count` rows drawn at random without replacement, ascending; all if there
 /// are fewer. A function of the seed and the rows. Rows that no replay can reproduce (timeout,
 /// out_of_memory, crashed) are not drawn.
 std::vector<std::size_t> sample_of_rows(const std::vector<RunRecord>& rows, std::size_t count,

@@ -44,7 +44,7 @@ class Ranks {
   }
 
   /// Has, on rank 0, ranks 0 .. count - 1 make a job ready, wait for each other, and do it at the
-  /// same time, by rank 0's clock; the others are in help() meanwhile.
+  /// same time, by rank 0's clock; the others are in serve() meanwhile.
   /// @return wall time from the word to begin to the news that the last is done, and what is told of
   /// it, rank by rank. @throws InternalError what went wrong at one of them.
   /// @pre count <= size().
@@ -57,7 +57,7 @@ class Ranks {
     const double wall_s = time.wall_s();
     return {wall_s, {tell()}};
   }
-  /// Does, on the others, the jobs of rank 0 until it calls dismiss().
+  /// Does, on the others, the jobs of rank 0 until it calls stop_serving().
   virtual void serve(const MakeReady& make_ready) { (void)make_ready; }
   virtual void stop_serving() {}
 
@@ -79,7 +79,7 @@ class FailedTogether : public InputError {
 };
 
 /// Does a step on all ranks; an InputError of one is one of all. What else is thrown is the rank's
-/// own: its caller ends them all (Ranks::give_up). @throws FailedTogether of several ranks.
+/// own: its caller ends them all (Ranks::abort_all). @throws FailedTogether of several ranks.
 void together(Ranks& ranks, const std::function<void()>& step);
 
 /// Returns the processes that mpirun has started; in the program that is not made for it, this

@@ -56,7 +56,7 @@ class GmlParser final : public GraphParser {
   }
 
   Graph read_graph() {
-    std::vector<std::array<TextWord, 2>> edges;  // both ends, at the edge's place
+    std::vector<std::array<TextWord, 2>> edges;  // both ends, at the edge's index
     graph_ = GatheredGraph();
     read_list([&](const TextWord& key) {
       const bool is_list = words_.peek().is("[");

@@ -38,7 +38,7 @@ TEST_F(Files, AllGraphsComeBackBySizeAndPlace) {
   EXPECT_EQ(corpus.n(corpus.first_of_size(11, 3)), 12u);
   EXPECT_EQ(corpus.first_of_size(1000, 3), corpus.size() - 1);
   EXPECT_EQ(corpus.first_of_size(0, 2), 0u) << "none fits";
-  EXPECT_THAT(problem([&] { corpus.graph(30); }), HasSubstr("no graph is taken from place 30"));
+  EXPECT_THAT(problem([&] { corpus.graph(30); }), HasSubstr("no graph is taken at index 30"));
 }
 
 TEST_F(Files, TheHashIsTheGraphsWhateverTheFormatAndThePacking) {
