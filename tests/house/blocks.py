@@ -127,6 +127,12 @@ class Folder:
         self.must(f"python3 {pathlib.Path(sys.argv[1]).resolve()}/tests/apps/rome_like.py rome 4")
         self.must("ls rome/*/* | sed 's|.*/||; s|$|,all|' >rome.csv")
         self.must("printf '#!/bin/sh\\ncat\\n' >my-drawer && chmod +x my-drawer")
+        # What docs/analysis.md draws in turns.
+        for name, efforts in (("two", "[0, 1]"), ("one", "1"), ("zero", "0")):
+            (self.path / f"{name}.toml").write_text('study = "two"\n[[sweep]]\nfamilies = "random-cubic"\nsizes = [100, 200]\n'
+                                                    f'algorithms = {{ algorithm = "grid", effort = {efforts} }}\n')
+        self.must("""git init -q repo && cp examples/own_program/* repo && sed 's/, "grid"//; s/, "cycle"//' repo/own.toml >repo/helix.toml
+                  git -C repo add -A && git -C repo -c user.name=me -c user.email=me@here commit -qm first""")
         # A checkout with a reference of the study.
         self.must("git init -q . && mkdir -p apps results/reference && touch apps/study.cpp && cp smoke.h5 results/reference/0.1.0-smoke.h5")
         self.must(f"cp {pathlib.Path(sys.argv[1]).resolve()}/results/reference/optima* results/reference")
