@@ -53,7 +53,7 @@ function(ar3d_together target most)
   endforeach()
 endfunction()
 
-# ar3d_glue(<target>): code that nothing waits for, compiled in two thirds of the time.
+# ar3d_glue(<target>): code that nothing waits for, compiled in two thirds of the time. Precompiled headers saved 5 % at most.
 function(ar3d_glue target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
