@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -73,11 +73,7 @@ int make_figures(const FiguresArguments& arguments) {
   refuse_unsafe_outputs(files);
   const Rows rows = rows_of_study(arguments.results);
   const StudyAnalysis analysis = analyse(rows);
-  std::error_code error;
-  std::filesystem::create_directories(arguments.folder, error);
-  if (error) {
-    throw InputError(fmt::format("cannot create {}: {}", arguments.folder, error.message()));
-  }
+  make_folder(arguments.folder);
   write_file_atomically(tables, analysis_json(analysis));
   std::vector<std::string> words = {
       tables,           "-o",     arguments.folder, "--quantity", arguments.quantity, "--format",
@@ -87,7 +83,7 @@ int make_figures(const FiguresArguments& arguments) {
     if (!value.empty()) words.push_back(fmt::format("{}={}", option, value));
   }
   const int exit_code = run_script(std::move(words));
-  if (exit_code != 0) std::filesystem::remove(tables, error);
+  if (exit_code != 0) std::remove(tables.c_str());
   return exit_code == 0 || exit_code == kUsage ? exit_code : kInternalError;
 }
 

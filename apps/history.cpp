@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -38,17 +36,6 @@ struct HistoryArguments {
 
 bool is_commit(const std::string& hash) {
   return hash.size() == 40 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
-
-/// The results files in the folder; none if it cannot be listed.
-std::vector<std::string> results_files(const std::string& folder) {
-  std::vector<std::string> files;
-  std::error_code error;
-  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
-       at.increment(error)) {
-    if (at->path().extension() == ".h5") files.push_back(at->path().string());
-  }
-  return files;
 }
 
 /// The version of the study's own program that the results are of; empty if it has none, or several
@@ -97,20 +84,15 @@ std::int64_t index_of(const HistoryArguments& arguments, const std::string& vers
                   printable(version.substr(0, 40)), arguments.results));
 }
 
-std::string read_whole(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// One result is one measurement, whatever it is called.
 /// @param target  may be a copy: it is replaced. @throws InputError
 void refuse_copies(const std::string& results, const std::string& folder,
                    const std::string& target) {
   const auto size = std::filesystem::file_size(results);
-  std::error_code error;
-  for (const std::string& file : results_files(folder)) {
+  std::error_code error, ignored;
+  for (const std::string& file : results_files(folder, ignored)) {
     if (file == target || std::filesystem::file_size(file, error) != size || error) continue;
-    if (read_whole(file) == read_whole(results)) {
+    if (read_file(file) == read_file(results)) {
       throw InputError(fmt::format("{} is in the history already, as {}", results, file));
     }
   }
@@ -131,12 +113,8 @@ int add_results(const HistoryArguments& arguments) {
                          .force = arguments.force,
                          .streams = false});
   refuse_copies(arguments.results, arguments.folder, path);
-  std::error_code error;
-  std::filesystem::create_directories(arguments.folder, error);
-  if (error) {
-    throw InputError(fmt::format("cannot create {}: {}", arguments.folder, error.message()));
-  }
-  write_file_atomically(path, read_whole(arguments.results));
+  make_folder(arguments.folder);
+  write_file_atomically(path, read_file(arguments.results));
   if (output_mode.json) print_json({{"added", path}});
   note(stdout, "added    {}\n", path);
   return kPass;
@@ -146,7 +124,8 @@ int report_history(const HistoryArguments& arguments) {
   const std::string page =
       arguments.output.empty() ? arguments.folder + "/history.html" : arguments.output;
   output_mode.json = arguments.json == "-";
-  refuse_unsafe_outputs({.inputs = results_files(arguments.folder),
+  std::error_code ignored;
+  refuse_unsafe_outputs({.inputs = results_files(arguments.folder, ignored),
                          .outputs = {output_mode.json ? "" : arguments.json},
                          .page = page,
                          .page_is = "<title>ar3d history: ",

@@ -5,9 +5,8 @@
 #include <fmt/ranges.h>
 #include <omp.h>
 
-#include <charconv>
-
 #include "ar3d/base/nearest_name.h"
+#include "ar3d/base/number.h"
 
 namespace ar3d {
 namespace {
@@ -26,13 +25,8 @@ CLI::Validator number_that(std::function<bool(double)> fits, std::string range) 
 
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
   return {[low, high](std::string& text) -> std::string {
-            std::uint64_t value = 0;
-            const char* const end = text.data() + text.size();
-            const auto parsed = std::from_chars(text.data(), end, value);
-            if (!text.empty() && parsed.ptr == end && parsed.ec == std::errc() && value >= low &&
-                value <= high) {
-              return {};
-            }
+            const auto value = integer_of<std::uint64_t>(text);
+            if (value && *value >= low && *value <= high) return {};
             return fmt::format("'{}' is not a whole number from {} to {}", text, low, high);
           },
           "NUMBER"};

@@ -119,6 +119,12 @@ void refuse_unsafe_outputs(const VerbFiles& files) {
   }
 }
 
+void make_folder(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw InputError(fmt::format("cannot create {}: {}", path, error.message()));
+}
+
 void write_json(const std::string& path, const std::string& text) {
   if (path == "-") return say("{}", text);
   write_file_atomically(path, text);

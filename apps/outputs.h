@@ -38,6 +38,9 @@ struct VerbFiles {
 /// @throws InputError naming the file and what it is.
 void refuse_unsafe_outputs(const VerbFiles& files);
 
+/// Makes a folder that is not there. @throws InputError naming it.
+void make_folder(const std::string& path);
+
 /// Writes to that file, or with "-" to standard output. @throws InputError
 void write_json(const std::string& path, const std::string& text);
 

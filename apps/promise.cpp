@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <string_view>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/number.h"
 #include "options.h"
 
 namespace ar3d {
@@ -27,18 +27,10 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   }
 }
 
-/// The whole text as an integer of 32 bits.
-std::optional<std::int32_t> small_integer(std::string_view text) {
-  std::int32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::optional<std::vector<std::int32_t>> small_integers(std::string_view text) {
   std::vector<std::int32_t> values;
   for (const std::string_view part : parts_of(text, ',')) {
-    const auto value = small_integer(part);
+    const auto value = integer_of<std::int32_t>(part);
     if (!value) return std::nullopt;
     values.push_back(*value);
   }
@@ -47,8 +39,8 @@ std::optional<std::vector<std::int32_t>> small_integers(std::string_view text) {
 
 Cosine cosine_of(const std::string& word) {
   const auto parts = parts_of(word, '/');
-  const auto numerator = small_integer(parts[0]);
-  const auto denominator = parts.size() == 2 ? small_integer(parts[1]) : std::nullopt;
+  const auto numerator = integer_of<std::int32_t>(parts[0]);
+  const auto denominator = parts.size() == 2 ? integer_of<std::int32_t>(parts[1]) : std::nullopt;
   const bool is_cosine = numerator && denominator && *denominator > 0 && *numerator <= 0 &&
                          *numerator >= -*denominator;
   if (!is_cosine) refuse("--cosine", word, "a fraction from -1/1 to 0/1, such as -1/3");
@@ -59,7 +51,7 @@ Lattice lattice_of(const std::string& word) {
   constexpr const char* kExpected = "XX,YY,ZZ[,XY,XZ,YZ][:DENOMINATOR]";
   const auto parts = parts_of(word, ':');
   const auto g = small_integers(parts[0]);
-  const auto denominator = parts.size() == 2 ? small_integer(parts[1]) : 1;
+  const auto denominator = parts.size() == 2 ? integer_of<std::int32_t>(parts[1]) : 1;
   if (!g || (g->size() != 3 && g->size() != 6) || !denominator || parts.size() > 2) {
     refuse("--gram", word, kExpected);
   }
@@ -102,10 +94,10 @@ AxisBound axis_of(std::string_view word) {
   if (!power.empty() && !power.starts_with('^')) fail();
   const auto exponent = parts_of(power.empty() ? "1" : power.substr(1), '/');
   const bool is_half = exponent.size() == 2 && exponent[1] == "2";
-  const auto numerator = small_integer(factor[0]);
-  const auto denominator = factor.size() == 2 ? small_integer(factor[1]) : 1;
-  const auto half_power = small_integer(exponent[0]);
-  const auto added = small_integer(constant);
+  const auto numerator = integer_of<std::int32_t>(factor[0]);
+  const auto denominator = factor.size() == 2 ? integer_of<std::int32_t>(factor[1]) : 1;
+  const auto half_power = integer_of<std::int32_t>(exponent[0]);
+  const auto added = integer_of<std::int32_t>(constant);
   if (!numerator || !denominator || !half_power || !added || factor.size() > 2) fail();
   if (exponent.size() > (is_half ? 2u : 1u) || *half_power < 0 || *half_power > 18) fail();
   const int halves = *half_power * (is_half ? 1 : 2);

@@ -2,13 +2,13 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/number.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/replay/replay_row.h"
@@ -142,14 +142,12 @@ int replay(const ReplayArguments& arguments) {
 const RunRecord& find_row(const Results& results, const std::string& row, const std::string& path) {
   const auto found = std::ranges::find(results.runs, row, &RunRecord::row_key);
   if (found != results.runs.end()) return *found;
-  std::size_t number = 0;
-  const char* end = row.data() + row.size();
-  const auto parsed = std::from_chars(row.data(), end, number);
-  if (parsed.ec != std::errc() || parsed.ptr != end || number >= results.runs.size()) {
+  const auto number = integer_of<std::size_t>(row);
+  if (!number || *number >= results.runs.size()) {
     throw InputError(fmt::format("{}: no row '{}'; rows are 0..{} or row keys", path, row,
                                  static_cast<std::int64_t>(results.runs.size()) - 1));
   }
-  return results.runs[number];
+  return results.runs[*number];
 }
 
 void add_replay(CLI::App& app, int& exit_code) {

@@ -151,6 +151,18 @@ Descriptor open_input(const std::string& path) {
   return Descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC));
 }
 
+std::string read_file(const std::string& path) {
+  const Descriptor file = open_input(path);
+  std::string text, bytes(1 << 16, ' ');
+  ssize_t got = file.get() < 0 ? -1 : 1;
+  while (got > 0) {
+    while ((got = read(file.get(), bytes.data(), bytes.size())) < 0 && errno == EINTR) continue;
+    if (got > 0) text.append(bytes, 0, static_cast<std::size_t>(got));
+  }
+  if (got < 0) refuse_reading(path, errno);
+  return text;
+}
+
 Descriptor new_temporary_file(const std::string& beginning, std::string& path) {
   path = temporary_name(beginning);
   Descriptor file(mkostemp(path.data(), O_CLOEXEC));

@@ -91,6 +91,9 @@ void remove_folder(const std::string& path) noexcept;
 /// shell's `<(…)`).
 Descriptor open_input(const std::string& path);
 
+/// Returns all bytes of a file. @throws InputError as open_input, and naming the system's reason.
+std::string read_file(const std::string& path);
+
 /// Writes all bytes to an open file. @throws InputError naming the path and the system's reason.
 void write_all(int descriptor, std::span<const char> bytes, const std::string& path);
 

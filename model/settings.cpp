@@ -6,10 +6,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
+#include "ar3d/base/number.h"
 
 namespace ar3d {
 namespace {
@@ -17,10 +17,8 @@ namespace {
 Setting parse_setting(std::string_view word) {
   const std::size_t equals = word.find('=');
   if (equals != std::string_view::npos && equals > 0) {
-    Setting setting{std::string(word.substr(0, equals)), 0};
-    const char* end = word.data() + word.size();
-    const auto [rest, error] = std::from_chars(word.data() + equals + 1, end, setting.value);
-    if (error == std::errc() && rest == end) return setting;
+    const auto value = integer_of<std::int64_t>(word.substr(equals + 1));
+    if (value) return {std::string(word.substr(0, equals)), *value};
   }
   throw InputError(fmt::format("'{}' is not of the form name=integer", word));
 }

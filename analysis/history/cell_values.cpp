@@ -102,6 +102,8 @@ const char* to_string(Measure measure) {
 
 CellTable cell_values(const Rows& rows) {
   CellTable table;
+  table.environment = lasting_settings(rows.environment());
+  table.files = side_records<GraphFileRecord>(rows.identity());
   std::map<std::pair<CurveKey, std::int64_t>, GraphTable> cells;
   std::array<std::vector<double>, 3> yardsticks;
   for (std::size_t row = 0; row < rows.size(); ++row) {

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 
+#include "ar3d/base/number.h"
 #include "ar3d/base/printable.h"
 
 namespace ar3d {
@@ -32,10 +32,9 @@ void read_file_name(const fs::path& path, CommitResults& into) {
   const std::size_t second = first == std::string::npos ? first : file.find('_', first + 1);
   bool is_good = second != std::string::npos;
   if (is_good) {
-    const auto [end, error] = std::from_chars(file.data(), file.data() + first, into.index);
+    into.index = integer_of<std::int64_t>(file.substr(0, first)).value_or(-1);
     into.name = file.substr(first + 1, second - first - 1);
-    is_good = error == std::errc() && end == file.data() + first && into.index >= 0 && first > 0 &&
-              is_name(into.name);
+    is_good = into.index >= 0 && is_name(into.name);
   }
   if (is_good) return;
   throw InputError(
@@ -44,46 +43,25 @@ void read_file_name(const fs::path& path, CommitResults& into) {
                   path.string()));
 }
 
-std::vector<fs::path> results_files(const std::string& folder) {
-  std::error_code error;
-  std::vector<fs::path> files;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    if (at->path().extension() == ".h5") files.push_back(at->path());
-  }
-  if (error) throw InputError(fmt::format("cannot read {}: {}", folder, error.message()));
-  if (files.empty()) throw InputError(fmt::format("no results files (*.h5) in {}", folder));
-  return files;
-}
-
 /// Returns the mean of the short yardsticks, as log_slowness of a row.
 double log_slowness(const CellTable& table) {
   return (table.yardsticks[0] + table.yardsticks[2]) / 2;
 }
 
-struct ReadResults {
-  CommitResults commit;
-  std::map<std::string, std::string> environment;
-  CellTable table;
-  std::vector<GraphFileRecord> files;
-};
-
-ReadResults read_one(const fs::path& path) {
-  ReadResults read;
-  read.commit.file = path.string();
-  read_file_name(path, read.commit);
-  const Rows rows(path.string());
-  read.commit.source_hash = rows.identity().source_hash;
-  read.commit.study = rows.identity().study_id;
-  read.commit.created = rows.identity().created;
-  read.files = side_records<GraphFileRecord>(rows.identity());
-  read.environment = lasting_settings(rows.environment());
+CommitResults read_one(const std::string& path) {
+  CommitResults read;
+  read.file = path;
+  read_file_name(path, read);
+  const Rows rows(path);
+  read.source_hash = rows.identity().source_hash;
+  read.study = rows.identity().study_id;
+  read.created = rows.identity().created;
   read.table = cell_values(rows);
-  read.commit.unfinished = read.table.unfinished;
   const std::string load = load_of_other_work(rows.environment(), read.table.rows_at_a_time);
   if (!read.table.build_kind.empty()) {
-    read.commit.untimed = fmt::format("a {} build", one_line(read.table.build_kind));
+    read.untimed = fmt::format("a {} build", one_line(read.table.build_kind));
   } else if (!load.empty() && std::isnan(log_slowness(read.table))) {
-    read.commit.untimed = fmt::format("a busy machine (load {})", one_line(load));
+    read.untimed = fmt::format("a busy machine (load {})", one_line(load));
   }
   return read;
 }
@@ -94,9 +72,9 @@ using Lines = std::map<LineKey, HistoryLine>;
 
 /// @param unit  what times of the cells are in units of, as a logarithm. @param more  that is to be
 /// taken off their levels.
-void add_values(std::size_t result, const CommitResults& commit, const CellTable& table,
-                double unit, double more, Lines& lines) {
-  for (const auto& [cell, values] : table.cells) {
+void add_values(std::size_t result, const CommitResults& commit, double unit, double more,
+                Lines& lines) {
+  for (const auto& [cell, values] : commit.table.cells) {
     for (std::size_t i = 0; i < kMeasures.size(); ++i) {
       const bool is_time = kMeasures[i] == Measure::time;
       const double value = is_time ? std::exp(values.times.level - more + unit) : values.means[i];
@@ -145,9 +123,9 @@ class Changes {
   }
 
   /// @param results, cells  the numbers of the series' results and cells in the history.
-  void add_times(const TimeSteps& steps, const std::vector<std::size_t>& results,
+  void add_times(const std::vector<TimeStep>& steps, const std::vector<std::size_t>& results,
                  const std::vector<std::size_t>& cells) {
-    for (const TimeStep& step : steps.steps) {
+    for (const TimeStep& step : steps) {
       HistoryChange change{.at = results[step.at],
                            .before = results[step.at - 1],
                            .setting = step.setting,
@@ -203,9 +181,8 @@ class Changes {
 };
 
 /// Judges the times of one study in one environment; the lines are [begin, end).
-void judge_times(std::size_t begin, std::size_t end,
-                 const std::vector<std::array<double, 3>>& yardsticks, const TimeRule& rule,
-                 History& history, Changes& changes) {
+void judge_times(std::size_t begin, std::size_t end, const TimeRule& rule, History& history,
+                 Changes& changes) {
   TimeSeries series;
   std::vector<std::size_t> cells, results;
   for (std::size_t i = begin; i < end; ++i) {
@@ -220,7 +197,7 @@ void judge_times(std::size_t begin, std::size_t end,
   std::sort(results.begin(), results.end());
   results.erase(std::unique(results.begin(), results.end()), results.end());
   for (const std::size_t result : results) {
-    series.yardsticks.push_back(yardsticks[result]);
+    series.yardsticks.push_back(history.results[result].table.yardsticks);
     series.results.emplace_back(cells.size());
   }
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
@@ -230,9 +207,9 @@ void judge_times(std::size_t begin, std::size_t end,
       series.results[static_cast<std::size_t>(at - results.begin())][cell] = line.times[i];
     }
   }
-  const TimeSteps steps = find_time_steps(series, rule);
+  const auto& [steps, all_smallest] = find_time_steps(series, rule);
   changes.add_times(steps, results, cells);
-  for (const SmallestStep& smallest : steps.smallest) {
+  for (const SmallestStep& smallest : all_smallest) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (series.settings[i] != smallest.setting) continue;
       history.lines[cells[i]].is_judged = std::isfinite(smallest.best);
@@ -242,8 +219,7 @@ void judge_times(std::size_t begin, std::size_t end,
   }
 }
 
-void judge(const std::vector<std::array<double, 3>>& yardsticks, const CompareOptions& rule,
-           History& history) {
+void judge(const CompareOptions& rule, History& history) {
   Changes changes(history);
   for (std::size_t begin = 0; begin < history.lines.size();) {
     std::size_t end = begin;
@@ -257,7 +233,7 @@ void judge(const std::vector<std::array<double, 3>>& yardsticks, const CompareOp
       }
       ++end;
     }
-    judge_times(begin, end, yardsticks, rule.time, history, changes);
+    judge_times(begin, end, rule.time, history, changes);
     begin = end;
   }
   changes.finish();
@@ -273,14 +249,14 @@ std::size_t index_of(const std::map<std::string, std::string>& environment,
 
 /// A file of graphs has one name in all results, the one of the last: its graphs' hash tells it.
 /// @param read  in the order of the history.
-void name_files_alike(std::vector<ReadResults>& read) {
+void name_files_alike(std::vector<CommitResults>& read) {
   std::map<std::string, std::string> last_name;  // by the hash of the graphs
-  for (const ReadResults& one : read) {
-    for (const GraphFileRecord& file : one.files) last_name[file.hash] = file.name;
+  for (const CommitResults& one : read) {
+    for (const GraphFileRecord& file : one.table.files) last_name[file.hash] = file.name;
   }
-  for (ReadResults& one : read) {
+  for (CommitResults& one : read) {
     std::map<std::string, std::string> renamed;
-    for (const GraphFileRecord& file : one.files) renamed[file.name] = last_name[file.hash];
+    for (const GraphFileRecord& file : one.table.files) renamed[file.name] = last_name[file.hash];
     std::map<HistoryCell, CellValues> cells;
     for (auto& [cell, values] : one.table.cells) {
       HistoryCell named = cell;
@@ -314,38 +290,45 @@ std::string history_file_name(std::int64_t index, const std::string& name,
                      content_hash(settings).substr(0, 8));
 }
 
+std::vector<std::string> results_files(const std::string& folder, std::error_code& error) {
+  std::vector<std::string> files;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (at->path().extension() == ".h5") files.push_back(at->path().string());
+  }
+  return files;
+}
+
 History read_history(const std::string& folder, const CompareOptions& rule) {
-  std::vector<ReadResults> read;
-  for (const fs::path& path : results_files(folder)) read.push_back(read_one(path));
-  std::sort(read.begin(), read.end(), [](const ReadResults& a, const ReadResults& b) {
-    return std::tie(a.commit.index, a.commit.name, a.commit.file) <
-           std::tie(b.commit.index, b.commit.name, b.commit.file);
-  });
+  std::error_code error;
+  const std::vector<std::string> files = results_files(folder, error);
+  if (error) throw InputError(fmt::format("cannot read {}: {}", folder, error.message()));
+  if (files.empty()) throw InputError(fmt::format("no results files (*.h5) in {}", folder));
+  std::vector<CommitResults> read;
+  for (const std::string& path : files) read.push_back(read_one(path));
+  std::ranges::sort(
+      read, {}, [](const CommitResults& one) { return std::tie(one.index, one.name, one.file); });
   name_files_alike(read);
   History history;
   Lines lines;
   std::map<std::size_t, std::vector<double>> slownesses;  // by environment
-  std::vector<std::array<double, 3>> yardsticks;
-  for (ReadResults& one : read) {
-    one.commit.environment = index_of(one.environment, history.environments);
-    slownesses[one.commit.environment].push_back(log_slowness(one.table));
+  for (CommitResults& one : read) {
+    one.environment = index_of(one.table.environment, history.environments);
+    slownesses[one.environment].push_back(log_slowness(one.table));
   }
-  for (ReadResults& one : read) {
-    const double own = log_slowness(one.table), usual = median(slownesses[one.commit.environment]);
+  for (CommitResults& one : read) {
+    const double own = log_slowness(one.table), usual = median(slownesses[one.environment]);
     const double unit = std::isnan(usual) ? 0 : usual;
-    if (!std::isnan(own)) one.commit.slowness = std::exp(own - unit);
-    add_values(history.results.size(), one.commit, one.table, unit, std::isnan(own) ? unit : 0,
-               lines);
-    history.results.push_back(std::move(one.commit));
-    yardsticks.push_back(one.table.yardsticks);
+    if (!std::isnan(own)) one.slowness = std::exp(own - unit);
+    add_values(history.results.size(), one, unit, std::isnan(own) ? unit : 0, lines);
     one.table.cells.clear();
+    history.results.push_back(std::move(one));
   }
   for (auto& [key, line] : lines) {
     std::tie(line.environment, line.study, line.cell, line.measure) = key;
     line.is_judged = line.values.size() >= 2;
     history.lines.push_back(std::move(line));
   }
-  judge(yardsticks, rule, history);
+  judge(rule, history);
   return history;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <system_error>
 #include <tuple>
 #include <vector>
 
@@ -44,6 +45,7 @@ struct CellValues {
   CellValues() { means.fill(kMissing); }
 };
 
+/// Holds what a history keeps of the rows of a results file and of what stands beside them.
 struct CellTable {
   std::map<HistoryCell, CellValues> cells;
   std::size_t unfinished = 0;  ///< rows neither ok nor measured: their cells have no values
@@ -51,6 +53,8 @@ struct CellTable {
   std::string build_kind;      ///< of a row that has one
   /// Holds medians of the logarithms of the yardsticks near the rows; NaN without any.
   std::array<double, 3> yardsticks{};
+  std::map<std::string, std::string> environment;  ///< lasting_settings
+  std::vector<GraphFileRecord> files;
 };
 
 /// Passes once over the rows; those of batches (strong, weak) are left out. Memory: that of the
@@ -87,14 +91,11 @@ struct SmallestStep {
   double best = kMissing;     ///< with most results on either side of it
 };
 
-struct TimeSteps {
-  std::vector<TimeStep> steps;         ///< by index
-  std::vector<SmallestStep> smallest;  ///< one for each setting, by name
-};
-
 /// Compares, at every result, the last k with the k before, k = 1 … 8, by the rule that `compare`
 /// has for two files (docs/history.md, Times). Cost: O(8 r c log c) for r results of c cells.
-TimeSteps find_time_steps(const TimeSeries& series, const TimeRule& rule);
+/// @return the steps by index, and what each setting can show, by name.
+std::pair<std::vector<TimeStep>, std::vector<SmallestStep>> find_time_steps(
+    const TimeSeries& series, const TimeRule& rule);
 
 /// Describes a results file of a history, without its rows.
 struct CommitResults {
@@ -109,7 +110,7 @@ struct CommitResults {
   /// Holds how many times as long the short yardsticks took as in the median of the results of its
   /// environment: its times are divided by that. 1 without yardsticks.
   double slowness = 1;
-  std::size_t unfinished = 0;  ///< rows
+  CellTable table;  ///< without its cells, which are in History::lines
 };
 
 /// Describes one measure of one cell over the commits, in one environment.
@@ -158,6 +159,9 @@ struct History {
 std::string history_file_name(std::int64_t index, const std::string& name,
                               const StudyIdentity& study,
                               const std::vector<EnvironmentEntry>& environment);
+
+/// Returns the results files (*.h5) of a folder. @param error  why it cannot be listed.
+std::vector<std::string> results_files(const std::string& folder, std::error_code& error);
 
 /// Reads every *.h5 of a folder and looks for changes as docs/history.md says. Memory: that of the
 /// cells. Cost: reading the files once, and find_time_steps per study and environment.

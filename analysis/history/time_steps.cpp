@@ -47,7 +47,7 @@ class StepFinder {
     for (const std::string& setting : series.settings) ++cells_of_[setting];
   }
 
-  TimeSteps found() {
+  std::pair<std::vector<TimeStep>, std::vector<SmallestStep>> found() {
     const std::size_t size = series_.results.size();
     for (std::size_t width = 1; width <= std::min(kWidest, size / 2); ++width) {
       std::vector<Windows> all;
@@ -58,13 +58,11 @@ class StepFinder {
       std::stable_sort(candidates.begin(), candidates.end(),
                        [](const auto& a, const auto& b) { return a.first > b.first; });
       for (auto& [height, step] : candidates) {
-        if (is_free(step)) steps_.steps.push_back(std::move(step));
+        if (is_free(step)) steps_.push_back(std::move(step));
       }
     }
-    std::stable_sort(steps_.steps.begin(), steps_.steps.end(),
-                     [](const TimeStep& a, const TimeStep& b) { return a.at < b.at; });
-    add_smallest();
-    return std::move(steps_);
+    std::ranges::stable_sort(steps_, {}, &TimeStep::at);
+    return {std::move(steps_), smallest()};
   }
 
  private:
@@ -151,14 +149,14 @@ class StepFinder {
   }
 
   bool has_step(const std::string& setting, std::size_t at) const {
-    return std::ranges::any_of(steps_.steps, [&](const TimeStep& step) {
+    return std::ranges::any_of(steps_, [&](const TimeStep& step) {
       return step.at == at && step.setting == setting && step.cell == kNoCell;
     });
   }
 
   /// True if no change of the same, or of all settings, lies within the step's windows.
   bool is_free(const TimeStep& step) const {
-    return std::ranges::none_of(steps_.steps, [&](const TimeStep& other) {
+    return std::ranges::none_of(steps_, [&](const TimeStep& other) {
       const bool is_same =
           other.setting.empty() ||
           (other.setting == step.setting && (other.cell == step.cell || other.cell == kNoCell));
@@ -238,7 +236,7 @@ class StepFinder {
     return cells >= kManyCells || width >= kFewWidth;
   }
 
-  void add_smallest() {
+  std::vector<SmallestStep> smallest() const {
     const std::size_t size = series_.results.size();
     std::map<std::string, SmallestStep> by_name;
     for (const std::vector<SideTimes>& result : series_.results) {
@@ -263,7 +261,9 @@ class StepFinder {
         step.best = std::fmin(step.best, least);
       }
     }
-    for (auto& [name, step] : by_name) steps_.smallest.push_back(std::move(step));
+    std::vector<SmallestStep> steps;
+    for (auto& [name, step] : by_name) steps.push_back(std::move(step));
+    return steps;
   }
 
   const TimeSeries& series_;
@@ -271,12 +271,13 @@ class StepFinder {
   std::map<std::string, std::size_t> cells_of_;
   /// Holds how far a setting moved from one result to the next, by its name; "": all together.
   std::map<std::string, std::vector<std::pair<std::size_t, double>>> moved_;
-  TimeSteps steps_;
+  std::vector<TimeStep> steps_;
 };
 
 }  // namespace
 
-TimeSteps find_time_steps(const TimeSeries& series, const TimeRule& rule) {
+std::pair<std::vector<TimeStep>, std::vector<SmallestStep>> find_time_steps(
+    const TimeSeries& series, const TimeRule& rule) {
   return StepFinder(series, rule).found();
 }
 

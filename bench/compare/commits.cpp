@@ -8,15 +8,14 @@
 
 #include <boost/scope_exit.hpp>
 #include <cerrno>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/number.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/compare/interleave.h"
@@ -25,11 +24,7 @@
 namespace ar3d {
 std::int64_t commits_up_to(const std::string& commit) {
   const std::vector<std::string> count = ask_git({"rev-list", "--count", commit, "--"});
-  std::int64_t number = -1;
-  if (count.empty()) return -1;
-  const std::string& text = count.front();
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? number : -1;
+  return count.empty() ? -1 : integer_of<std::int64_t>(count.front()).value_or(-1);
 }
 
 namespace {
@@ -99,9 +94,8 @@ void remove_worktrees(const std::string& checkout, const fs::path& folder) {
 
 /// Copies a program: the copy is on the disk whole under its name, or not at all.
 void copy_program(const fs::path& from, const fs::path& to) {
-  std::ifstream file(from, std::ios::binary);
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file || bytes.empty()) throw InputError(fmt::format("cannot read {}", from.string()));
+  const std::string bytes = read_file(from.string());
+  if (bytes.empty()) throw InputError(fmt::format("{} is empty", from.string()));
   NewFile copy(to.string());
   copy.write_all(bytes);
   const auto mode = static_cast<mode_t>(fs::status(from).permissions());

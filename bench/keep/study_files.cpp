@@ -9,12 +9,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/number.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/rows.h"
 
@@ -32,11 +32,9 @@ std::optional<int> rank_between(std::string_view name, std::string_view before,
       !name.ends_with(after)) {
     return std::nullopt;
   }
-  const char* end = name.data() + name.size() - after.size();
-  int rank = 0;
-  const auto read = std::from_chars(name.data() + before.size(), end, rank);
-  if (read.ec != std::errc() || read.ptr != end || rank < 1) return std::nullopt;
-  return rank;
+  name.remove_suffix(after.size());
+  const auto rank = integer_of<int>(name.substr(before.size()));
+  return rank && *rank >= 1 ? rank : std::nullopt;
 }
 
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }

@@ -36,19 +36,18 @@ void add_program(const toml::node& node, StudySpec& spec) {
   spec.programs.push_back(std::move(program));
 }
 
-const Algorithm& catalogue_algorithm(const std::string& name, const StudySpec& spec) {
+// The algorithm of that name, without options. @throws InputError naming those that are known.
+AlgorithmChoice named_algorithm(const StudySpec& spec, const std::string& name) {
+  if (const auto program = find_program(spec, name)) return {&program->row, {}, program};
+  if (spec.programs.empty()) return {&find_algorithm(name), {}};
   std::vector<std::string_view> known;
   for (const auto& program : spec.programs) known.push_back(program->row.name);
   for (const Algorithm& algorithm : algorithms()) {
-    if (algorithm.name == name || spec.programs.empty()) return find_algorithm(name);
+    if (algorithm.name == name) return {&algorithm, {}};
     known.push_back(algorithm.name);
   }
   throw InputError(fmt::format("unknown algorithm '{}'{} (known: {})", printable(name),
                                did_you_mean(name, known), fmt::join(known, ", ")));
-}
-
-void require_algorithm(const std::string& name, const StudySpec& spec) {
-  if (!find_program(spec, name)) catalogue_algorithm(name, spec);
 }
 
 // The name becomes part of file names.
@@ -118,15 +117,18 @@ std::vector<FamilyChoice> family_choices(const toml::node& node) {
   return choices;
 }
 
-// Options that the entry does not name take the values of the program's own table.
-void add_choices(const std::shared_ptr<const ExternalAlgorithm>& program,
-                 std::vector<SettingChoices> settings, std::vector<AlgorithmChoice>& choices) {
-  for (const SettingChoices& option : program->choices) {
-    const auto given = std::ranges::find(settings, option.first, &SettingChoices::first);
-    if (given == settings.end()) settings.push_back(option);
+// Options that the entry does not name take the values of a program's own table.
+void add_choices(AlgorithmChoice choice, std::vector<SettingChoices> settings,
+                 std::vector<AlgorithmChoice>& choices) {
+  if (choice.program) {
+    for (const SettingChoices& option : choice.program->choices) {
+      const auto given = std::ranges::find(settings, option.first, &SettingChoices::first);
+      if (given == settings.end()) settings.push_back(option);
+    }
   }
   for (const Settings& values : combinations(settings)) {
-    choices.push_back({&program->row, complete_options(program->row, values), program});
+    choice.options = complete_options(*choice.algorithm, values);
+    choices.push_back(choice);
   }
 }
 
@@ -141,16 +143,7 @@ std::vector<AlgorithmChoice> algorithm_choices(const toml::node& node, const Stu
       }
       continue;
     }
-    if (const auto program = find_program(spec, name)) {
-      with_location(*entry, [&] { add_choices(program, settings, choices); });
-      continue;
-    }
-    with_location(*entry, [&] {
-      const Algorithm& algorithm = catalogue_algorithm(name, spec);
-      for (const Settings& values : combinations(settings)) {
-        choices.push_back({&algorithm, complete_options(algorithm, values)});
-      }
-    });
+    with_location(*entry, [&] { add_choices(named_algorithm(spec, name), settings, choices); });
   }
   return choices;
 }
@@ -206,7 +199,7 @@ std::vector<CellPattern> read_patterns(const toml::node& node, bool has_graphs,
                      {"to", into(pattern.to, 0, kMaxN)}});
     with_location(*entry, [&] {
       if (!pattern.family.empty() && !has_graphs) find_family(pattern.family);
-      if (!pattern.algorithm.empty()) require_algorithm(pattern.algorithm, spec);
+      if (!pattern.algorithm.empty()) named_algorithm(spec, pattern.algorithm);
     });
   }
   return patterns;
@@ -258,18 +251,6 @@ Sweep read_sweep(const toml::node& node, const StudySpec& spec) {
   return sweep;
 }
 
-std::string read_text_file(const std::string& path) {
-  const Descriptor file = open_input(path);
-  std::string text, bytes(1 << 16, ' ');
-  ssize_t got = file.get() < 0 ? -1 : 1;
-  while (got > 0) {
-    while ((got = read(file.get(), bytes.data(), bytes.size())) < 0 && errno == EINTR) continue;
-    if (got > 0) text.append(bytes, 0, static_cast<std::size_t>(got));
-  }
-  if (got < 0) throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
-  return text;
-}
-
 }  // namespace
 
 bool CellPattern::matches(const std::string& family_name, const std::string& algorithm_name,
@@ -303,7 +284,7 @@ StudySpec parse_study(const std::string& text, const std::string& file) {
                    {"max_n",
                     [&](Node limits, Key key) {
                       read_toml_table(limits, key, {}, [&](Node limit, Key name) {
-                        with_location(limit, [&] { require_algorithm(name, spec); });
+                        with_location(limit, [&] { named_algorithm(spec, name); });
                         into(spec.max_n[name], 0, kMaxN)(limit, name);
                       });
                     }},
@@ -332,7 +313,7 @@ Study load_study(const std::string& name_or_path) {
   std::error_code error;
   const auto status = std::filesystem::status(name_or_path, error);
   if (std::filesystem::is_directory(status)) {
-    throw InputError(fmt::format("cannot read {}: {}", name_or_path, std::strerror(EISDIR)));
+    refuse_reading(name_or_path, EISDIR);
   }
   if (!std::filesystem::exists(status)) {
     const auto known = names_of(named_studies());
@@ -340,17 +321,16 @@ Study load_study(const std::string& name_or_path) {
                                  printable(name_or_path), did_you_mean(name_or_path, known),
                                  fmt::join(known, ", ")));
   }
-  return {parse_study(read_text_file(name_or_path), name_or_path),
+  return {parse_study(read_file(name_or_path), name_or_path),
           {.folder = std::filesystem::path(name_or_path).parent_path().string()}};
 }
 
 AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
                                  const Settings& options) {
-  if (const auto program = find_program(spec, name)) {
-    return {&program->row, complete_options(program->row, options), program, spec.certificate};
-  }
-  const Algorithm& algorithm = find_algorithm(name);
-  return {&algorithm, complete_options(algorithm, options), nullptr, spec.certificate};
+  AlgorithmChoice choice = named_algorithm(spec, name);
+  choice.options = complete_options(*choice.algorithm, options);
+  choice.certificate = spec.certificate;
+  return choice;
 }
 
 Study recorded_study(const StudyIdentity& identity, const std::string& file) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/number.h"
 #include "ar3d/store/columns/record_pass.h"
 
 namespace ar3d {
@@ -310,18 +311,16 @@ StoredGraphs stored_graphs(const StudyIdentity& identity) {
     end = std::min(text.find(' ', at), text.size());
     const std::string_view word(text.data() + at, end - at);
     const char kind = word.empty() ? ' ' : word[0];
-    std::uint32_t number = 0;
-    const auto read = std::from_chars(text.data() + at + 1, text.data() + end, number);
-    const bool is_number = read.ec == std::errc() && read.ptr == text.data() + end;
-    const bool is_graph = kind == ':' || (kind == '=' && is_number && number < lines.size());
+    const auto number = integer_of<std::uint32_t>(word.empty() ? word : word.substr(1));
+    const bool is_graph = kind == ':' || (kind == '=' && number && *number < lines.size());
     if (kind == '#') {
       family = &graphs[std::string(word.substr(1))];
       index = 0;
-    } else if (kind == '@' && is_number) {
-      index = number;
+    } else if (kind == '@' && number) {
+      index = *number;
     } else if (is_graph && family != nullptr) {
       if (kind == ':') lines.emplace_back(word);
-      family->emplace(index++, kind == ':' ? lines.back() : lines[number]);
+      family->emplace(index++, kind == ':' ? lines.back() : lines[*number]);
     } else {
       throw InputError(fmt::format("/graphs: '{}' is no word of it", word.substr(0, 40)));
     }

@@ -8,6 +8,7 @@
 #include <charconv>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/number.h"
 
 namespace ar3d {
 
@@ -18,16 +19,12 @@ std::string StudyIdentity::source() const {
 
 std::optional<Shard> parse_shard(std::string_view text) {
   constexpr std::uint32_t kMostShards = 1'000'000;
-  Shard shard;
-  const char* end = text.data() + text.size();
-  const auto index = std::from_chars(text.data(), end, shard.index);
-  const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
-  const auto count = std::from_chars(slash ? index.ptr + 1 : end, end, shard.count);
-  const bool is_read = slash && count.ec == std::errc() && count.ptr == end;
-  if (!is_read || shard.index < 1 || shard.index > shard.count || shard.count > kMostShards) {
-    return {};
-  }
-  return shard;
+  const std::size_t slash = text.find('/');
+  if (slash == text.npos) return {};
+  const auto index = integer_of<std::uint32_t>(text.substr(0, slash));
+  const auto count = integer_of<std::uint32_t>(text.substr(slash + 1));
+  if (!index || !count || *index < 1 || *index > *count || *count > kMostShards) return {};
+  return Shard{*index, *count};
 }
 
 RowKey parse_row_key(std::string_view text) {

@@ -53,7 +53,7 @@ TEST(TimeSteps, NothingIsFoundWhereNothingChanged) {
     for (const std::size_t results : {2U, 4U, 6U, 8U, 12U, 50U}) {
       for (std::uint64_t trial = 0; trial < 2700 / results; ++trial) {
         const TimeSeries series = kind.series(trial, results, 0, 0);
-        EXPECT_THAT(find_time_steps(series, {}).steps, IsEmpty()) << results << ' ' << trial;
+        EXPECT_THAT(find_time_steps(series, {}).first, IsEmpty()) << results << ' ' << trial;
         values += results * series.settings.size();
       }
     }
@@ -79,7 +79,7 @@ TEST(TimeSteps, StepsAreFoundAtTheirPlace) {
     int found = 0;
     for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
       const auto steps =
-          find_time_steps(Simulated{}.series(trial, results, results / 2, step), {}).steps;
+          find_time_steps(Simulated{}.series(trial, results, results / 2, step), {}).first;
       found += std::ranges::any_of(steps, [&, results = results](const TimeStep& one) {
         return one.at == results / 2 && one.setting == "s0" && one.cell == kNoCell;
       });
@@ -116,11 +116,11 @@ TEST(TimeSteps, HalfAsSlowAgainIsFoundFromFourResultsOn) {
     for (std::size_t end = kStep + 2; end <= times.size(); ++end) {
       const TimeSeries series = measured({times.begin() + static_cast<std::ptrdiff_t>(begin),
                                           times.begin() + static_cast<std::ptrdiff_t>(end)});
-      const TimeSteps found = find_time_steps(series, {});
-      ASSERT_THAT(found.steps, SizeIs(1)) << begin << ' ' << end;
-      EXPECT_EQ(found.steps[0].at, kStep - begin);
-      EXPECT_NEAR(std::exp(found.steps[0].change), 1.5, 0.15);
-      EXPECT_LE(found.smallest[0].best, found.steps[0].change);
+      const auto [steps, smallest] = find_time_steps(series, {});
+      ASSERT_THAT(steps, SizeIs(1)) << begin << ' ' << end;
+      EXPECT_EQ(steps[0].at, kStep - begin);
+      EXPECT_NEAR(std::exp(steps[0].change), 1.5, 0.15);
+      EXPECT_LE(smallest[0].best, steps[0].change);
     }
   }
 }
@@ -129,13 +129,13 @@ TEST(TimeSteps, AChangeForOneResultOfFewCellsIsNone) {
   TimeSeries series = measured({30, 30, 30, 30, 30, 60, 30, 30, 30, 30});
   series.settings.assign(1, "own");
   for (auto& result : series.results) result.resize(1);
-  EXPECT_THAT(find_time_steps(series, {}).steps, IsEmpty());
+  EXPECT_THAT(find_time_steps(series, {}).first, IsEmpty());
 }
 
 TEST(TimeSteps, ASingleCellAndAllSettingsTogetherAreFound) {
   TimeSeries series = Simulated{.spread = 0.002}.series(1, 10, 10, 0);
   for (std::size_t i = 5; i < 10; ++i) series.results[i][7].level += 0.5;
-  auto steps = find_time_steps(series, {}).steps;
+  auto steps = find_time_steps(series, {}).first;
   ASSERT_THAT(steps, SizeIs(1));
   EXPECT_EQ(steps[0].cell, 7U);
   EXPECT_EQ(steps[0].at, 5U);
@@ -143,7 +143,7 @@ TEST(TimeSteps, ASingleCellAndAllSettingsTogetherAreFound) {
   for (std::size_t i = 4; i < 10; ++i) {
     for (SideTimes& cell : series.results[i]) cell.level += 0.5;
   }
-  steps = find_time_steps(series, {}).steps;
+  steps = find_time_steps(series, {}).first;
   ASSERT_THAT(steps, SizeIs(1));
   EXPECT_EQ(steps[0].setting, "");
   EXPECT_EQ(steps[0].at, 4U);
@@ -152,7 +152,7 @@ TEST(TimeSteps, ASingleCellAndAllSettingsTogetherAreFound) {
 TEST(TimeSteps, WhatResultsCanShowIsSaid) {
   const auto of = [](std::size_t results, std::size_t cells) {
     return find_time_steps(Simulated{.cells = cells}.series(3, results, results, 0), {})
-        .smallest.at(0);
+        .second.at(0);
   };
   EXPECT_TRUE(std::isnan(of(1, 8).best));
   EXPECT_TRUE(std::isnan(of(7, 2).best));  // few cells need four results on either side
