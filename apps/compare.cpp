@@ -209,20 +209,21 @@ int compare_builds(const CompareArguments& arguments) {
   if (!base) return say_interrupted("while building " + arguments.base);
   const InterleaveOptions options{rounds_of(arguments, study), arguments.core, progress,
                                   study.spec.count && counting_problem().empty()};
-  const InterleavedRounds rounds = run_interleaved(*base, kThisProgram, study, folder, options);
-  if (rounds.interrupted) {
-    const std::size_t round = std::min(rounds.base.size(), rounds.now.size()) + 1;
-    return say_interrupted(fmt::format("in round {} of {}", round, options.rounds));
+  const auto [before, now] = run_interleaved(*base, kThisProgram, study, folder, options);
+  if (const std::size_t done = std::min(before.size(), now.size()); done < options.rounds) {
+    return say_interrupted(fmt::format("in round {} of {}", done + 1, options.rounds));
   }
-  return report_verdict(arguments, compare_rounds(rounds.base, rounds.now, arguments.options));
+  return report_verdict(arguments, compare_rounds(before, now, arguments.options));
 }
 
-/// What takes turns; empty: it was interrupted.
-std::vector<TurnsSide> turns_sides(const CompareArguments& arguments, const std::string& scratch) {
-  std::vector<TurnsSide> sides;
+/// What takes turns; empty: it was interrupted. @param compared  takes the setting of each, if these
+/// are settings.
+std::vector<Study> turns_sides(const CompareArguments& arguments, const std::string& scratch,
+                               std::vector<CurveKey>& compared) {
+  std::vector<Study> sides;
   if (std::ranges::all_of(arguments.turns,
                           [](const auto& side) { return side.ends_with(".toml"); })) {
-    for (const std::string& side : arguments.turns) sides.push_back({load_study(side)});
+    for (const std::string& side : arguments.turns) sides.push_back(load_study(side));
     return sides;
   }
   const Study study = study_to_run(arguments.study);
@@ -234,7 +235,7 @@ std::vector<TurnsSide> turns_sides(const CompareArguments& arguments, const std:
         folder = build_own(ref, arguments.build, fmt::format("{}/{}", scratch, sides.size()));
       }
       if (!folder) return {};
-      sides.push_back({with_folder(study, *folder)});
+      sides.push_back(with_folder(study, *folder));
     }
     return sides;
   }
@@ -249,10 +250,10 @@ std::vector<TurnsSide> turns_sides(const CompareArguments& arguments, const std:
     if (is_setting(side) && fs::exists(side)) {
       throw InputError(fmt::format("'{0}' is a setting and a file; './{0}' is the program", side));
     }
-    sides.push_back(has_settings ? TurnsSide{study, find_setting(settings, side)}
-                                 : TurnsSide{with_command(study, side)});
+    if (has_settings) compared.push_back(find_setting(settings, side));
+    sides.push_back(has_settings ? study : with_command(study, side));
   }
-  if (has_settings && sides[0].setting == sides[1].setting) {
+  if (has_settings && compared[0] == compared[1]) {
     throw InputError(
         fmt::format("'{}' and '{}' are one setting", arguments.turns[0], arguments.turns[1]));
   }
@@ -264,17 +265,18 @@ int compare_in_turns(const CompareArguments& arguments) {
   const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
   const std::string scratch = new_temporary_folder("ar3d-turns");
   BOOST_SCOPE_EXIT_ALL(&) { remove_folder(scratch); };
-  const std::vector<TurnsSide> sides = turns_sides(arguments, scratch);
+  std::vector<CurveKey> settings;
+  const std::vector<Study> sides = turns_sides(arguments, scratch, settings);
   if (sides.empty()) return say_interrupted("while building");
-  const TurnsStudy turns =
-      turns_of(sides[0], sides[1], arguments.rounds, rounds_of(arguments, sides[0].study));
+  const auto [turns, pairs, remarks] =
+      turns_of(sides, settings, arguments.rounds, rounds_of(arguments, sides[0]));
   const std::string output =
-      arguments.output.empty() ? default_results_path(turns.study.spec) : arguments.output;
+      arguments.output.empty() ? default_results_path(turns.spec) : arguments.output;
   refuse_unsafe_outputs(
       {.inputs = {}, .outputs = {output}, .force = arguments.force, .streams = false});
   refuse_foreign_ending(output, {".h5", ".hdf5"});
   require_writable(output);
-  const JournaledStudy study = new_study(turns.study, {}, scratch + "/turns.h5");
+  const JournaledStudy study = new_study(turns, {}, scratch + "/turns.h5");
   const Pinning pinning(arguments.core);
   const SessionPolicy policy{.workers = workers_for(0),
                              .force_timing = true,  // its rows are marked
@@ -286,8 +288,8 @@ int compare_in_turns(const CompareArguments& arguments) {
   if (is_interrupted()) return say_interrupted("while counting");
   write_results(results, output);
   note(arguments.markdown == "-" ? stderr : stdout, "results  {}\n", output);
-  Comparison comparison = compare_settings(results, turns.pairs, arguments.options);
-  for (const std::string& remark : turns.remarks) comparison.remarks.push_back(remark);
+  Comparison comparison = compare_settings(results, pairs, arguments.options);
+  for (const std::string& remark : remarks) comparison.remarks.push_back(remark);
   return report_verdict(arguments, comparison);
 }
 

@@ -101,8 +101,8 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
                                           const Algorithm& algorithm,
                                           const std::optional<Graph>& of_row) {
   if (!arguments.inputs.empty()) {
-    CorpusOptions options;
-    options.reading = arguments.reading;
+    GraphsEntry taken;
+    taken.reading = arguments.reading;
     std::vector<CorpusFile> files;
     for (const std::string& path : arguments.inputs) {
       files.push_back({path, arguments.inputs.size() == 1 ? "" : path, ""});
@@ -115,7 +115,7 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
       files[0].lines = {{0, line}};
     }
     const auto graphs = std::make_shared<const Corpus>(
-        files, options, files.size() == 1 ? files[0].path : fmt::format("{} files", files.size()));
+        files, taken, files.size() == 1 ? files[0].path : fmt::format("{} files", files.size()));
     tell_notes(graphs->notes());
     return {{&graphs->family(), {}, graphs}};
   }

@@ -193,10 +193,13 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
   };
   std::optional<std::string> results;
   const auto ends_all = [&](const std::exception& error, int exit_code) {
-    const bool is_alone = ranks->size() == 1;
-    tell_failure(is_alone ? std::nullopt : std::optional(ranks->rank()), error.what(),
-                 exit_code == kIncomplete ? results : std::nullopt);
-    ranks->abort_all(exit_code);
+    // Said before the ranks part: mpirun ends all of them as soon as one has left with an error.
+    const bool all_know = ranks->size() == 1 || ranks->have_failed;
+    if (!all_know || ranks->is_first()) {
+      tell_failure(all_know ? std::nullopt : std::optional(ranks->rank()), error.what(),
+                   exit_code == kIncomplete ? results : std::nullopt);
+    }
+    if (!all_know) ranks->abort_all(exit_code);
     return exit_code;
   };
   try {
@@ -207,13 +210,6 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
       note(stderr, "{}", remarks);
     }
     return run_to_the_end(study, arguments, policy, *ranks);
-  } catch (const FailedTogether& error) {
-    // Said before the ranks part: mpirun ends all of them as soon as one has left with an error.
-    const bool is_full = error.journal_full();
-    if (ranks->is_first()) {
-      tell_failure(std::nullopt, error.what(), is_full ? results : std::nullopt);
-    }
-    return is_full ? kIncomplete : kUsage;
   } catch (const JournalFull& error) {
     return ends_all(error, kIncomplete);
   } catch (const InputError& error) {
@@ -299,7 +295,7 @@ void tell_growth(const Study& study) {
     tell(corpus.record.name, changed, "changed, to be drawn beside the rows that are there");
     tell(corpus.record.name, gone, "gone, whose rows and graphs stay in the results");
     std::vector<std::string> reasons;
-    if (!corpus.entry->options.skip) {
+    if (!corpus.entry->skip) {
       for (const SkippedFile& file : corpus.corpus->skipped()) reasons.push_back(file.reason);
     }
     tell(corpus.record.name, reasons, "without a graph, left out");

@@ -28,20 +28,17 @@ namespace {
 
 int write_drawings(const std::string& path, const Rows& rows, KeptDrawings kept) {
   OutputFile file(path);
-  const KeptOutcome outcome = write_kept_drawings(rows, kept, file);
-  for (const std::string& problem : outcome.problems) {
-    say(stderr, "ar3d: {}\n", printable(problem));
-  }
-  if (!outcome.problems.empty() && outcome.kept == 0) {
+  const auto [written, repeated, problems] = write_kept_drawings(rows, kept, file);
+  for (const std::string& problem : problems) say(stderr, "ar3d: {}\n", printable(problem));
+  if (!problems.empty() && written == 0) {
     say(stderr, "ar3d: no drawing could be made again; {} is not written\n", path);
     return kRegression;
   }
   file.commit();
   note(path == "-" ? stderr : stdout, "drawings {}: {} kept ({}{})\n",
-       path == "-" ? "standard output" : path, outcome.kept, to_string(kept),
-       outcome.repeated == 0 ? ""
-                             : fmt::format("; {} more rows have one of these", outcome.repeated));
-  return outcome.problems.empty() ? kPass : kRegression;
+       path == "-" ? "standard output" : path, written, to_string(kept),
+       repeated == 0 ? "" : fmt::format("; {} more rows have one of these", repeated));
+  return problems.empty() ? kPass : kRegression;
 }
 
 /// Is there nothing, or a file that begins as drawings do?

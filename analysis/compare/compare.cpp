@@ -12,18 +12,10 @@
 namespace ar3d {
 namespace {
 
-/// Holds what a cell has to be judged by.
-struct Evidence {
-  CellComparison cell = {};  ///< without verdict and time
-  std::vector<FixedChange> fixed = {};
-  std::vector<double> log_ratios = {};  ///< of turns: one for each round
-  bool is_drawn = false;  ///< some pair of drawings is there, so that there are times to judge
-};
-
-Evidence evidence_of(const PairedCell& cell) {
-  Evidence evidence;
-  evidence.cell.key = cell.key, evidence.cell.n = cell.n, evidence.cell.rows = cell.rows.size();
-  return evidence;
+CellComparison unjudged(const PairedCell& cell) {
+  CellComparison compared;
+  compared.key = cell.key, compared.n = cell.n, compared.rows = cell.rows.size();
+  return compared;
 }
 
 /// True if one side is the other: begun at the same moment in the same environment, and every time
@@ -51,17 +43,17 @@ void require_same_study(const Results& base, const Results& now) {
                                one_line(base.study_id), one_line(now.study_id)));
 }
 
-/// Takes the pairs of one cell, of one round or of all, into the evidence.
-void add_pairs(const PairedCell& cell, const CompareOptions& options, Evidence& into) {
-  const CountChange counts = count_change(cell);
-  if (counts.is_known()) into.cell.counts = counts;
-  for (FixedChange& change :
-       count_changes(counts, options.instruction_threshold, options.cycle_threshold)) {
+/// Takes in the pairs of one cell, of one round or of all.
+void add_pairs(const PairedCell& cell, const CompareOptions& options, CellComparison& into) {
+  const auto [instructions, cycles] = count_change(cell);
+  if (!std::isnan(instructions)) into.instructions = instructions, into.cycles = cycles;
+  for (FixedChange& change : count_changes(instructions, cycles, options.instruction_threshold,
+                                           options.cycle_threshold)) {
     into.fixed.push_back(std::move(change));
   }
   for (const PairedRow& row : cell.rows) {
     for (FixedChange& change : fixed_changes(row)) into.fixed.push_back(std::move(change));
-    double& largest = into.cell.log2_volume_change;
+    double& largest = into.log2_volume_change;
     const double change = log2_volume_change(row);
     if (std::abs(change) > std::abs(largest)) largest = change;
     into.is_drawn |= both_drawn(row);
@@ -85,29 +77,28 @@ std::size_t rounds_needed(const Comparison& comparison, const TimeRule& rule) {
 std::string undecided_reason(const TimeVerdict& time, const Comparison& comparison,
                              const TimeRule& rule) {
   const std::size_t enough = rounds_needed(comparison, rule);
-  if (time.test.pairs == 0) return "no time on both sides";
-  if (time.test.pairs < enough) {
-    return fmt::format("{} rounds of times; {} are needed", time.test.pairs, enough);
+  if (time.pairs == 0) return "no time on both sides";
+  if (time.pairs < enough) {
+    return fmt::format("{} rounds of times; {} are needed", time.pairs, enough);
   }
   if (comparison.times && !comparison.times->is_known)
     return "nothing tells how fast the machine was";
-  return fmt::format("{} rounds show changes from {} on", time.test.pairs,
+  return fmt::format("{} rounds show changes from {} on", time.pairs,
                      rounded_percent(time.visible));
 }
 
 /// Weighs the noiseless verdict and the time's together. What was not drawn on both sides has no
 /// time to judge. Where counts decide, a slower time is a contradiction and no regression.
-void judge(CellComparison& cell, const FixedChange& fixed, bool is_drawn, const TimeRule& rule,
-           const Comparison& comparison) {
-  std::tie(cell.verdict, cell.reason) = fixed;
-  const std::string& fixed_reason = fixed.second;
+void judge(CellComparison& cell, const TimeRule& rule, const Comparison& comparison) {
+  std::tie(cell.verdict, cell.reason) = judge_fixed(cell.fixed);
+  const std::string fixed_reason = cell.reason;
   const bool is_heavy = cell.verdict >= Verdict::regressed;
-  if (is_heavy || comparison.drawings_only || comparison.is_copy || !is_drawn) return;
+  if (is_heavy || comparison.drawings_only || comparison.is_copy || !cell.is_drawn) return;
   const auto set = [&](Verdict verdict, const std::string& reason) {
     cell.verdict = verdict;
     cell.reason = reason + (fixed_reason.empty() ? "" : "; " + fixed_reason);
   };
-  if (cell.counts.is_known()) {
+  if (cell.is_counted()) {
     if (comparison.time_judged && cell.time.change == TimeChange::slower) {
       set(Verdict::inconclusive, "slower, though its counts have not grown");
     }
@@ -130,15 +121,13 @@ void judge(CellComparison& cell, const FixedChange& fixed, bool is_drawn, const 
 }
 
 /// @param settings  what rounds tell of each; empty for two files.
-Comparison judge_all(std::vector<Evidence> evidence, const std::vector<TimeVerdict>& times,
-                     const SettingVerdicts& settings, Comparison comparison,
-                     const CompareOptions& options) {
-  for (std::size_t i = 0; i < evidence.size(); ++i) {
-    CellComparison& cell = evidence[i].cell;
+Comparison judge_all(const std::vector<TimeVerdict>& times, const SettingVerdicts& settings,
+                     Comparison comparison, const CompareOptions& options) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    CellComparison& cell = comparison.cells[i];
     cell.time = times[i];
-    cell.is_timed_enough = cell.time.test.pairs >= rounds_needed(comparison, options.time);
-    judge(cell, judge_fixed(evidence[i].fixed), evidence[i].is_drawn, options.time, comparison);
-    comparison.cells.push_back(std::move(cell));
+    cell.is_timed_enough = cell.time.pairs >= rounds_needed(comparison, options.time);
+    judge(cell, options.time, comparison);
   }
   judge_settings(settings, comparison);
   return comparison;
@@ -164,15 +153,15 @@ std::vector<TimeVerdict> judge_files(const std::vector<CellTimes>& cells, const 
   comparison.times->rounds = {last_rounds(base), last_rounds(now)};
   std::vector<TimeVerdict> verdicts(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    SignedRankTest& test = verdicts[i].test;
-    test.pairs = cells[i].rounds;
-    test.estimate = cells[i].ratio;
-    test.p_greater = test.p_less = verdicts[i].adjusted_p = kMissing;  // nothing is tested
-    verdicts[i].change = comparison.times->cells[i];
+    TimeVerdict& verdict = verdicts[i];
+    verdict.pairs = cells[i].rounds;
+    verdict.estimate = cells[i].ratio;
+    verdict.p_greater = verdict.p_less = verdict.adjusted_p = kMissing;  // nothing is tested
+    verdict.change = comparison.times->cells[i];
     const double error = comparison.times->errors[i];
-    test.interval = {cells[i].ratio - error, cells[i].ratio + error};
+    verdict.interval = {cells[i].ratio - error, cells[i].ratio + error};
     for (const SettingTimes& setting : comparison.times->settings) {
-      if (setting.name == cells[i].setting) verdicts[i].visible = setting.least;
+      if (setting.name == cells[i].setting) verdict.visible = setting.least;
     }
   }
   return verdicts;
@@ -294,7 +283,7 @@ std::vector<TimeVerdict> judge_rounds(const std::vector<std::vector<double>>& lo
   std::vector<TimeVerdict> times = judge_times(log_ratios, rule);
   for (std::size_t i = 0; i < times.size(); ++i) {
     std::vector<double> noise = log_ratios[i];
-    for (double& ratio : noise) ratio -= times[i].test.estimate;
+    for (double& ratio : noise) ratio -= times[i].estimate;
     times[i].visible = std::log1p(smallest_visible_slowdown(std::move(noise), rule, times.size()));
   }
   return times;
@@ -307,14 +296,13 @@ Comparison compare(const Results& base, const Results& now, const CompareOptions
   Comparison comparison = first_look(base, now, options, false);
   const Pairing pairing = pair_rows(base, now);
   note_pairing(pairing, comparison);
-  std::vector<Evidence> evidence;
   std::vector<CellTimes> cells;
   for (const PairedCell& cell : pairing.cells) {
-    add_pairs(cell, options, evidence.emplace_back(evidence_of(cell)));
+    add_pairs(cell, options, comparison.cells.emplace_back(unjudged(cell)));
     cells.push_back(cell_times(cell));
   }
   const std::vector<TimeVerdict> times = judge_files(cells, base, now, options.time, comparison);
-  return judge_all(std::move(evidence), times, {}, std::move(comparison), options);
+  return judge_all(times, {}, std::move(comparison), options);
 }
 
 Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Results>& now,
@@ -322,7 +310,6 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
   expect(!base.empty() && base.size() == now.size(), "a comparison of unequally many rounds");
   Comparison comparison = first_look(base.front(), now.front(), options, true);
   std::map<std::pair<CurveKey, std::int64_t>, std::size_t> index_of;
-  std::vector<Evidence> evidence;
   std::map<std::string, std::vector<double>> rounds_of;  // of a setting
   for (std::size_t round = 0; round < base.size(); ++round) {
     require_same_study(base[round], now[round]);
@@ -330,9 +317,10 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
     note_pairing(pairing, comparison);
     std::map<std::string, std::vector<double>> of_round;
     for (const PairedCell& cell : pairing.cells) {
-      const auto [index, is_new] = index_of.try_emplace({cell.key, cell.n}, evidence.size());
-      if (is_new) evidence.push_back(evidence_of(cell));
-      Evidence& into = evidence[index->second];
+      const auto [index, is_new] =
+          index_of.try_emplace({cell.key, cell.n}, comparison.cells.size());
+      if (is_new) comparison.cells.push_back(unjudged(cell));
+      CellComparison& into = comparison.cells[index->second];
       add_pairs(cell, options, into);
       const double ratio = round_log_time_ratio(cell);
       if (!std::isfinite(ratio)) continue;
@@ -342,18 +330,18 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
     for (auto& [name, ratios] : of_round) rounds_of[name].push_back(median(std::move(ratios)));
   }
   std::vector<std::vector<double>> of_cells, of_settings;
-  for (const Evidence& cell : evidence) of_cells.push_back(cell.log_ratios);
+  for (const CellComparison& cell : comparison.cells) of_cells.push_back(cell.log_ratios);
   for (const auto& [name, ratios] : rounds_of) of_settings.push_back(ratios);
   std::vector<TimeVerdict> times = judge_rounds(of_cells, options.time);
   const std::vector<TimeVerdict> all = judge_rounds(of_settings, options.time);
   SettingVerdicts settings;
   for (const auto& [name, ratios] : rounds_of) settings[name] = all[settings.size()];
-  for (std::size_t i = 0; i < evidence.size(); ++i) {
-    const auto setting = settings.find(algorithm_label(evidence[i].cell.key));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto setting = settings.find(algorithm_label(comparison.cells[i].key));
     if (setting == settings.end()) continue;
     follow_setting(setting->second, of_cells[i], options.time, times.size(), times[i]);
   }
-  return judge_all(std::move(evidence), times, settings, std::move(comparison), options);
+  return judge_all(times, settings, std::move(comparison), options);
 }
 
 }  // namespace ar3d

@@ -57,11 +57,16 @@ struct CellComparison {
   std::int64_t n = -1;
   std::size_t rows = 0;
   Verdict verdict = Verdict::pass;
-  std::string reason;            ///< one line, empty for a plain pass
-  std::string cause;             ///< what the reason says before its first number
-  CountChange counts;            ///< known: they decide, and times are no verdict
-  TimeVerdict time;              ///< of log(new / base)
-  bool is_timed_enough = false;  ///< there are as many rounds of times as a verdict needs
+  std::string reason;              ///< one line, empty for a plain pass
+  std::string cause;               ///< what the reason says before its first number
+  double instructions = kMissing;  ///< count_change(): given, they decide, and times do not
+  double cycles = kMissing;        ///< as well
+  bool is_counted() const { return !std::isnan(instructions); }
+  std::vector<FixedChange> fixed;  ///< what changed that has no noise
+  bool is_drawn = false;           ///< some pair of drawings is there, so that times can be judged
+  std::vector<double> log_ratios;  ///< of turns: one for each round
+  TimeVerdict time;                ///< of log(new / base)
+  bool is_timed_enough = false;    ///< there are as many rounds of times as a verdict needs
   /// Holds log2(new / base) of the volume, of the pair of drawings in which it changed most.
   double log2_volume_change = 0;
 };

@@ -17,13 +17,12 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json time_json(const TimeVerdict& time) {
-  const SignedRankTest& test = time.test;
-  return {{"pairs", test.pairs},
-          {"ratio", json_number(std::exp(test.estimate))},
-          {"ratio_low", json_number(std::exp(test.interval.low))},
-          {"ratio_high", json_number(std::exp(test.interval.high))},
-          {"p_value", json_number(test.pairs == 0 ? kMissing : test.p_value())},
-          {"adjusted_p_value", json_number(test.pairs == 0 ? kMissing : time.adjusted_p)}};
+  return {{"pairs", time.pairs},
+          {"ratio", json_number(std::exp(time.estimate))},
+          {"ratio_low", json_number(std::exp(time.interval.low))},
+          {"ratio_high", json_number(std::exp(time.interval.high))},
+          {"p_value", json_number(time.pairs == 0 ? kMissing : time.p_value())},
+          {"adjusted_p_value", json_number(time.pairs == 0 ? kMissing : time.adjusted_p)}};
 }
 
 ordered_json cell_json(const CellComparison& cell) {
@@ -32,8 +31,8 @@ ordered_json cell_json(const CellComparison& cell) {
                {"verdict", to_string(cell.verdict)},
                {"reason", valid_utf8(cell.reason)},
                {"measurements", cell.rows},
-               {"instructions_ratio", json_number(std::exp(cell.counts.instructions))},
-               {"estimated_cycles_ratio", json_number(std::exp(cell.counts.cycles))},
+               {"instructions_ratio", json_number(std::exp(cell.instructions))},
+               {"estimated_cycles_ratio", json_number(std::exp(cell.cycles))},
                {"volume_ratio", json_number(std::exp2(cell.log2_volume_change))},
                {"time", time_json(cell.time)}});
   return json;
@@ -63,22 +62,21 @@ constexpr std::size_t kLargestChanges = 3;
 std::string percent(double ratio) { return fmt::format("{:+.1f} %", 100 * (ratio - 1)); }
 
 std::string time_text(const TimeVerdict& time) {
-  const SignedRankTest& test = time.test;
-  if (test.pairs == 0) return "not timed";
-  std::string text = percent(std::exp(test.estimate));
-  if (std::isfinite(test.interval.low)) {
-    text += fmt::format(" [{}, {}]", percent(std::exp(test.interval.low)),
-                        percent(std::exp(test.interval.high)));
+  if (time.pairs == 0) return "not timed";
+  std::string text = percent(std::exp(time.estimate));
+  if (std::isfinite(time.interval.low)) {
+    text += fmt::format(" [{}, {}]", percent(std::exp(time.interval.low)),
+                        percent(std::exp(time.interval.high)));
   }
-  text += fmt::format(", {} rounds", test.pairs);
+  text += fmt::format(", {} rounds", time.pairs);
   return std::isnan(time.adjusted_p) ? text : text + fmt::format(", p {:.2g}", time.adjusted_p);
 }
 
 /// "instructions +0.0 %, cycles +0.2 %; ", or nothing.
 std::string counts_of(const CellComparison& cell) {
-  if (!cell.counts.is_known()) return "";
-  std::string text = "instructions " + percent(std::exp(cell.counts.instructions));
-  if (!std::isnan(cell.counts.cycles)) text += ", cycles " + percent(std::exp(cell.counts.cycles));
+  if (!cell.is_counted()) return "";
+  std::string text = "instructions " + percent(std::exp(cell.instructions));
+  if (!std::isnan(cell.cycles)) text += ", cycles " + percent(std::exp(cell.cycles));
   return text + "; ";
 }
 
@@ -184,7 +182,7 @@ std::string largest_changes(const Comparison& comparison, std::size_t most) {
   if (!comparison.drawings_only) {
     add(
         comparison.time_judged ? "time (judged)" : "time (NOT JUDGED)",
-        [](const auto& cell) { return cell.time.test.pairs == 0 ? 0 : cell.time.test.estimate; },
+        [](const auto& cell) { return cell.time.pairs == 0 ? 0 : cell.time.estimate; },
         [](const auto& cell) { return time_text(cell.time); });
   }
   add(

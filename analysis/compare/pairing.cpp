@@ -308,12 +308,12 @@ double log2_volume_change(const PairedRow& row) {
   return change;
 }
 
-CountChange count_change(const PairedCell& cell) {
+std::pair<double, double> count_change(const PairedCell& cell) {
   double instructions[2] = {}, cycles[2] = {};
   for (const PairedRow& row : cell.rows) {
     if (!both_drawn(row)) continue;
     for (const auto& [side, run] : {std::pair{0, row.base}, std::pair{1, row.now}}) {
-      if (run->counted_instructions <= 0) return {};
+      if (run->counted_instructions <= 0) return {kMissing, kMissing};
       instructions[side] += static_cast<double>(run->counted_instructions);
       cycles[side] +=
           run->estimated_cycles > 0 ? static_cast<double>(run->estimated_cycles) : kMissing;
@@ -322,12 +322,12 @@ CountChange count_change(const PairedCell& cell) {
   return {std::log(instructions[1] / instructions[0]), std::log(cycles[1] / cycles[0])};
 }
 
-std::vector<FixedChange> count_changes(const CountChange& change, double instruction_threshold,
-                                       double cycle_threshold) {
+std::vector<FixedChange> count_changes(double instructions, double cycles,
+                                       double instruction_threshold, double cycle_threshold) {
   std::vector<FixedChange> changes;
   for (const auto& [what, log, threshold] :
-       {std::tuple{"instructions", change.instructions, instruction_threshold},
-        std::tuple{"estimated cycles", change.cycles, cycle_threshold}}) {
+       {std::tuple{"instructions", instructions, instruction_threshold},
+        std::tuple{"estimated cycles", cycles, cycle_threshold}}) {
     if (!(std::abs(log) > std::log1p(threshold))) continue;  // a missing one is no change
     changes.push_back({direction(log > 0), fmt::format("{} x{:.4f}", what, std::exp(log))});
   }

@@ -77,18 +77,13 @@ std::vector<FixedChange> fixed_changes(const PairedRow& row);
 /// none.
 double log2_volume_change(const PairedRow& row);
 
-/// Describes log(new / base) of a whole cell's counts, by their sums over its drawings; NaN unless
-/// both sides have counted all that both have drawn.
-struct CountChange {
-  double instructions = kMissing;
-  double cycles = kMissing;  ///< estimated, with the simulated cache
-  bool is_known() const { return !std::isnan(instructions); }
-};
-CountChange count_change(const PairedCell& cell);
+/// Returns log(new / base) of a whole cell's counts of instructions and of estimated cycles, by
+/// their sums over its drawings; NaN unless both sides have counted all that both have drawn.
+std::pair<double, double> count_change(const PairedCell& cell);
 
 /// Returns a change for the worse or the better if one of the two is more than log(1 + its
 /// threshold) away from 0.
-std::vector<FixedChange> count_changes(const CountChange& change, double instruction_threshold,
-                                       double cycle_threshold);
+std::vector<FixedChange> count_changes(double instructions, double cycles,
+                                       double instruction_threshold, double cycle_threshold);
 
 }  // namespace ar3d

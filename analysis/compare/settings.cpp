@@ -32,9 +32,9 @@ void set_times(const SettingVerdicts& rounds, const Comparison& comparison,
   const auto at = rounds.find(setting.name);
   if (at == rounds.end()) return;
   const TimeVerdict& time = at->second;
-  const auto [low, high] = time.test.interval;
-  setting.pairs = time.test.pairs;
-  setting.change = time.test.estimate;
+  const auto [low, high] = time.interval;
+  setting.pairs = time.pairs;
+  setting.change = time.estimate;
   setting.error = std::max(high - setting.change, setting.change - low);
   setting.visible = time.visible;
   if (!comparison.time_judged || !std::isnan(setting.instructions)) return;
@@ -51,15 +51,15 @@ SettingComparison setting_of(const std::vector<const CellComparison*>& cells) {
   SettingComparison setting;
   setting.name = algorithm_label(cells.front()->key);
   setting.cells = cells.size();
-  setting.pairs = cells.front()->time.test.pairs;
+  setting.pairs = cells.front()->time.pairs;
   std::vector<double> instructions;
   std::map<std::string, std::size_t> causes;
   for (const CellComparison* cell : cells)
     setting.verdict = std::max(setting.verdict, cell->verdict);
   for (const CellComparison* cell : cells) {
-    setting.pairs = std::min(setting.pairs, cell->time.test.pairs);
+    setting.pairs = std::min(setting.pairs, cell->time.pairs);
     setting.visible_alone = std::fmax(setting.visible_alone, cell->time.visible);
-    if (cell->counts.is_known()) instructions.push_back(cell->counts.instructions);
+    if (cell->is_counted()) instructions.push_back(cell->instructions);
     if (cell->verdict != setting.verdict) continue;
     ++setting.of_verdict;
     ++causes[cell->cause];
@@ -76,9 +76,9 @@ CurveKey setting_of(const RunRecord& run) { return {run.algorithm, run.options, 
 
 void follow_setting(const TimeVerdict& setting, std::vector<double> log_ratios,
                     const TimeRule& rule, std::size_t tests, TimeVerdict& cell) {
-  if (cell.change != TimeChange::undecided || cell.test.pairs < fewest_pairs(rule)) return;
-  for (double& ratio : log_ratios) ratio -= setting.test.estimate;
-  const double p = judge_times({std::move(log_ratios)}, rule).front().test.p_value();
+  if (cell.change != TimeChange::undecided || cell.pairs < fewest_pairs(rule)) return;
+  for (double& ratio : log_ratios) ratio -= setting.estimate;
+  const double p = judge_times({std::move(log_ratios)}, rule).front().p_value();
   if (p * static_cast<double>(tests) <= rule.false_discovery_rate) return;
   cell.change = setting.change;
   cell.follows_setting = cell.change != TimeChange::undecided;
@@ -182,11 +182,10 @@ int Comparison::exit_code() const {
 
 std::string Comparison::judged() const {
   if (drawings_only) return "drawings only, as asked";
-  const auto by_counts = static_cast<std::size_t>(std::ranges::count_if(
-      cells, [](const CellComparison& cell) { return cell.counts.is_known(); }));
-  const bool has_times = std::ranges::any_of(cells, [](const CellComparison& cell) {
-    return !cell.counts.is_known() && cell.is_timed_enough;
-  });
+  const auto by_counts = static_cast<std::size_t>(
+      std::ranges::count_if(cells, [](const CellComparison& cell) { return cell.is_counted(); }));
+  const bool has_times = std::ranges::any_of(
+      cells, [](const CellComparison& cell) { return !cell.is_counted() && cell.is_timed_enough; });
   std::string text = "drawings";
   if (by_counts > 0) {
     text += fmt::format(

@@ -32,13 +32,12 @@ double needed_p(const TimeRule& rule, std::size_t cells) {
 
 TimeChange change_of(const TimeVerdict& verdict, const TimeRule& rule) {
   const double limit = std::log1p(rule.threshold);
-  const SignedRankTest& test = verdict.test;
   const bool significant =
-      test.p_value() <= rule.significance && verdict.adjusted_p <= rule.false_discovery_rate;
-  if (significant && test.estimate >= limit) return TimeChange::slower;
-  if (significant && test.estimate <= -limit) return TimeChange::faster;
+      verdict.p_value() <= rule.significance && verdict.adjusted_p <= rule.false_discovery_rate;
+  if (significant && verdict.estimate >= limit) return TimeChange::slower;
+  if (significant && verdict.estimate <= -limit) return TimeChange::faster;
   // NaN ends, where pairs are too few, compare false.
-  const bool inside = test.interval.low > -limit && test.interval.high < limit;
+  const bool inside = verdict.interval.low > -limit && verdict.interval.high < limit;
   return inside ? TimeChange::same : TimeChange::undecided;
 }
 
@@ -77,10 +76,10 @@ std::vector<TimeVerdict> judge_times(const std::vector<std::vector<double>>& log
   for (std::size_t cell = 0; cell < log_ratios.size(); ++cell) {
     const std::vector<double> values = thinned(log_ratios[cell]);
     const auto distribution = distributions.try_emplace(values.size(), values.size()).first;
-    verdicts[cell].test = signed_rank_test(values, distribution->second, rule.confidence);
+    verdicts[cell] = signed_rank_test(values, distribution->second, rule.confidence);
     if (values.empty()) continue;
     timed.push_back(cell);
-    p_values.push_back(verdicts[cell].test.p_value());
+    p_values.push_back(verdicts[cell].p_value());
   }
   const std::vector<double> adjusted = adjusted_p_values(p_values);
   for (std::size_t i = 0; i < timed.size(); ++i) verdicts[timed[i]].adjusted_p = adjusted[i];
@@ -138,12 +137,12 @@ std::vector<double> walsh_averages(std::span<const double> differences) {
   return averages;
 }
 
-double SignedRankTest::p_value() const { return std::min(2 * std::min(p_greater, p_less), 1.0); }
+double TimeVerdict::p_value() const { return std::min(2 * std::min(p_greater, p_less), 1.0); }
 
-SignedRankTest signed_rank_test(std::span<const double> differences,
-                                const SignedRankDistribution& distribution, double confidence) {
+TimeVerdict signed_rank_test(std::span<const double> differences,
+                             const SignedRankDistribution& distribution, double confidence) {
   expect(differences.size() == distribution.pairs(), "a signed-rank test of other pairs");
-  SignedRankTest test;
+  TimeVerdict test;
   test.pairs = differences.size();
   test.estimate = kNone;
   test.interval = {kNone, kNone};

@@ -33,26 +33,6 @@ class SignedRankDistribution {
 /// positive; their median is the Hodges-Lehmann estimate. Cost: O(k^2 log k) for k differences.
 std::vector<double> walsh_averages(std::span<const double> differences);
 
-/// Says whether paired differences are centred at 0, by Wilcoxon's signed-rank test. It holds for
-/// every distribution of the noise, however heavy its tails, as long as a difference and its
-/// negative are equally likely, which is so if the two measurements of a pair are interchangeable.
-struct SignedRankTest {
-  std::size_t pairs = 0;
-  double estimate = 0;     ///< Hodges and Lehmann's; NaN without pairs
-  Interval interval{};     ///< for the centre; NaN ends where pairs are too few for the confidence
-  double p_greater = 1;    ///< against "centred at 0 or below"
-  double p_less = 1;       ///< against "centred at 0 or above"
-  double p_value() const;  ///< two-sided; NaN where nothing was tested
-};
-
-/// Tests whether the differences are centred at 0. Ties and zeros count against the alternative,
-/// which keeps the p-values valid: breaking the ties at random would make a continuous symmetric
-/// sample with at least that W.
-/// @param differences  finite.
-/// @param confidence  of the interval, in (0, 1).
-SignedRankTest signed_rank_test(std::span<const double> differences,
-                                const SignedRankDistribution& distribution, double confidence);
-
 /// Returns Benjamini and Hochberg's adjusted p-values: rejecting where the adjusted one is at most
 /// q keeps the expected share of false ones among the rejected at q or below. Cost: O(m log m).
 std::vector<double> adjusted_p_values(std::span<const double> p_values);
@@ -72,14 +52,31 @@ enum class TimeChange {
   undecided  ///< neither: too few pairs, too much noise, or right at the threshold
 };
 
+/// Says whether paired differences, of log(new time / base time), are centred at 0, by Wilcoxon's
+/// signed-rank test. It holds for every distribution of the noise, however heavy its tails, as long
+/// as a difference and its negative are equally likely, which is so if the two measurements of a
+/// pair are interchangeable.
 struct TimeVerdict {
-  SignedRankTest test;  ///< of log(new time / base time); pairs = 0 if nothing was timed
+  std::size_t pairs = 0;   ///< 0: nothing was timed
+  double estimate = 0;     ///< Hodges and Lehmann's; NaN without pairs
+  Interval interval{};     ///< for the centre; NaN ends where pairs are too few for the confidence
+  double p_greater = 1;    ///< against "centred at 0 or below"
+  double p_less = 1;       ///< against "centred at 0 or above"
+  double p_value() const;  ///< two-sided; NaN where nothing was tested
   double adjusted_p = 1;
   /// Holds log(1 + smallest change that is found with this noise), where the comparison says so.
   double visible = std::numeric_limits<double>::infinity();
   TimeChange change = TimeChange::undecided;
   bool follows_setting = false;  ///< its own pairs leave it open
 };
+
+/// Tests whether the differences are centred at 0. Ties and zeros count against the alternative,
+/// which keeps the p-values valid: breaking the ties at random would make a continuous symmetric
+/// sample with at least that W.
+/// @param differences  finite.
+/// @param confidence  of the interval, in (0, 1).
+TimeVerdict signed_rank_test(std::span<const double> differences,
+                             const SignedRankDistribution& distribution, double confidence);
 
 /// Returns the fewest pairs with which one cell among `cells` can be found (Benjamini and
 /// Hochberg's threshold): all of them point one way.

@@ -15,7 +15,7 @@ constexpr std::array kVerdicts = {Verdict::violated, Verdict::regressed, Verdict
                                   Verdict::unjudged, Verdict::improved,  Verdict::pass};
 
 double time_ratio(const CellComparison& cell) {
-  return cell.time.test.pairs == 0 ? kMissing : std::exp(cell.time.test.estimate);
+  return cell.time.pairs == 0 ? kMissing : std::exp(cell.time.estimate);
 }
 
 /// The one of two ratios that is farther from 1.
@@ -54,8 +54,8 @@ void add_since_cells(TableMaker& make, const Comparison& comparison) {
       if (verdict == Verdict::inconclusive || cell.verdict != verdict) continue;
       if (is_plain && cell.reason.empty()) continue;
       table.add({to_string(verdict), algorithm_label(cell.key), family_label(cell.key),
-                 count_or_none(cell.n), time_ratio(cell), std::exp(cell.counts.instructions),
-                 std::exp(cell.counts.cycles), std::exp2(cell.log2_volume_change), cell.reason});
+                 count_or_none(cell.n), time_ratio(cell), std::exp(cell.instructions),
+                 std::exp(cell.cycles), std::exp2(cell.log2_volume_change), cell.reason});
     }
   }
 }

@@ -63,15 +63,12 @@ constexpr std::array<CollectionMeasure, 8> kCompared = {{{"volume"},
                                                          {"bends", false, true}}};
 
 /// A drawing of a graph, and its logarithms in the order of kCompared.
-struct CollectionDrawing {
-  const DrawnGraph* graph = nullptr;
-  std::array<double, kCompared.size()> logs{};
-};
+using CollectionDrawing = std::pair<const DrawnGraph*, std::array<double, kCompared.size()>>;
 
 /// What the settings of a collection made of one graph, by setting.
 using CollectionGraph = std::map<std::size_t, CollectionDrawing>;
 
-const DrawnGraph& first_of(const CollectionGraph& drawn) { return *drawn.begin()->second.graph; }
+const DrawnGraph& first_of(const CollectionGraph& drawn) { return *drawn.begin()->second.first; }
 std::int64_t size_of(const CollectionGraph& drawn) {
   return std::max<std::int64_t>(1, first_of(drawn).n);
 }
@@ -115,14 +112,14 @@ std::vector<Collection> collections_of(const std::vector<Section>& sections) {
       collection.is_timed &= curve.tally->has_timing_rows;
       for (const auto& [n, size] : curve.tally->sizes) {
         for (const DrawnGraph& graph : size.graphs) {
-          collection.graphs[{graph.seed, graph.instance}][setting].graph = &graph;
+          collection.graphs[{graph.seed, graph.instance}][setting].first = &graph;
         }
       }
     }
   }
   for (Collection& collection : all) {
     for (auto& [key, drawn] : collection.graphs) {
-      for (auto& [setting, drawing] : drawn) drawing.logs = collection.logs_of(*drawing.graph);
+      for (auto& [setting, drawing] : drawn) drawing.second = collection.logs_of(*drawing.first);
     }
   }
   return all;
@@ -133,7 +130,7 @@ using GraphPair = std::array<const CollectionDrawing*, 2>;
 
 /// The second value over the first, as a logarithm.
 double ratio_of(const GraphPair& pair, std::size_t measure) {
-  return pair[1]->logs[measure] - pair[0]->logs[measure];
+  return pair[1]->second[measure] - pair[0]->second[measure];
 }
 
 /// In increasing order of the second value over the first.
@@ -195,7 +192,7 @@ void add_profile(const Collection& of, std::size_t measure, bool is_common, Tabl
     double best = kMissing;
     std::vector<std::pair<std::size_t, double>> costs;
     for (const auto& [setting, drawing] : drawn) {
-      const double value = drawing.logs[measure];
+      const double value = drawing.second[measure];
       if (std::isnan(value)) continue;
       costs.emplace_back(setting, kCompared[measure].is_larger_better ? -value : value);
       best = std::fmin(best, costs.back().second);
@@ -240,11 +237,11 @@ void add_pairs(TableMaker& make, const Collection& of, std::size_t measure,
                      sign_test(below, above)});
     const auto add = [&](const GraphPair& pair, bool is_outlier) {
       pairs.add({of.family, kCompared[measure].name, one, other,
-                 kCompared[measure].value(pair[0]->logs[measure]),
-                 kCompared[measure].value(pair[1]->logs[measure]),
+                 kCompared[measure].value(pair[0]->second[measure]),
+                 kCompared[measure].value(pair[1]->second[measure]),
                  std::pow(10, ratio_of(pair, measure)),
-                 make.graphs.add(of.settings[a].second->index, *pair[0]->graph),
-                 make.graphs.add(of.settings[b].second->index, *pair[1]->graph), is_outlier});
+                 make.graphs.add(of.settings[a].second->index, *pair[0]->first),
+                 make.graphs.add(of.settings[b].second->index, *pair[1]->first), is_outlier});
     };
     for (const GraphPair& pair : outliers(all)) add(pair, true);
     for (const GraphPair& pair : evenly(all, most_points)) add(pair, false);
@@ -259,7 +256,7 @@ void add_bins(const Collection& of, std::size_t measure, Table& table) {
     for (const auto& [key, drawn] : of.graphs) {
       if (size_of(drawn) < first || size_of(drawn) > last) continue;
       for (const auto& [setting, drawing] : drawn) {
-        const double value = drawing.logs[measure];
+        const double value = drawing.second[measure];
         if (!std::isnan(value)) values[setting].push_back(value);
       }
     }
@@ -282,7 +279,7 @@ void add_groups(const Collection& of, std::size_t measure, Table& table) {
     std::map<std::size_t, std::vector<double>> values_of;  // by setting
     for (const CollectionGraph* drawn : graphs) {
       for (const auto& [setting, drawing] : *drawn) {
-        const double value = drawing.logs[measure];
+        const double value = drawing.second[measure];
         if (!std::isnan(value)) values_of[setting].push_back(kCompared[measure].value(value));
       }
     }
@@ -315,7 +312,7 @@ std::vector<std::size_t> collection_outliers(const std::vector<Section>& section
   for (const Collection& collection : collections_of(sections)) {
     for_each_pair(collection, [&](std::size_t a, std::size_t b) {
       for (const GraphPair& pair : outliers(pairs_of(collection, 0, a, b))) {
-        for (const CollectionDrawing* drawing : pair) rows.push_back(drawing->graph->row);
+        for (const CollectionDrawing* drawing : pair) rows.push_back(drawing->first->row);
       }
     });
   }

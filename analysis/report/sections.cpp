@@ -102,12 +102,13 @@ std::size_t count_families(const std::set<std::string>& family_labels) {
 }
 
 std::size_t GraphList::add(std::size_t curve, const DrawnGraph& graph, bool point) {
-  const auto [at, is_new] = rows_.try_emplace(graph.row, Noted{curve, point, {}});
+  const auto [at, is_new] = rows_.try_emplace(graph.row, curve, DrawnGraph());
+  DrawnGraph& noted = at->second.second;
   if (is_new || graph.status != RunStatus::ok) {
-    at->second.graph = graph;
-    at->second.graph.metrics.clear();
+    noted = graph;
+    noted.metrics.clear();
   }
-  at->second.is_point |= point;
+  if (point) points_.insert(graph.row);
   return graph.row;
 }
 
@@ -123,7 +124,7 @@ void GraphList::add_row(std::size_t row) {
   graph.extents = run.extents, graph.theorem_bound = run.theorem_bound;
   graph.published_bound = run.published_bound;
   const auto curve = static_cast<std::size_t>(at - analysis.tally.curves.begin());
-  rows_[row] = {curve, false, graph};
+  rows_[row] = {curve, graph};
 }
 
 void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
@@ -131,13 +132,12 @@ void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
   const auto indices = curves_by_index(sections);
   for (const auto& entry : rows_) {
     const std::uint64_t row = entry.first;
-    const auto& noted = entry.second;
-    const DrawnGraph& graph = noted.graph;
-    const bool timed = analysis.tally.curves[noted.curve].has_timing_rows;
-    const auto curve = indices.find(noted.curve);
-    const auto over = [&](Quantity quantity) {
-      if (curve == indices.end() || graph.status != RunStatus::ok || !noted.is_point)
-        return kMissing;
+    const auto& [index, graph] = entry.second;
+    const bool is_point = points_.contains(row);
+    const bool timed = analysis.tally.curves[index].has_timing_rows;
+    const auto curve = indices.find(index);
+    const auto over = [&, &graph = graph](Quantity quantity) {
+      if (curve == indices.end() || graph.status != RunStatus::ok || !is_point) return kMissing;
       const double log_n = std::log(static_cast<double>(graph.n));
       return std::exp(log_value(graph, quantity, timed) -
                       order_of(sections[curve->second->setting], quantity) * log_n);
@@ -150,14 +150,14 @@ void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
         curve == indices.end() ? kMissing : over(nearest_side(sections[curve->second->setting]));
     std::vector<TableCell> cells = {
         row,
-        noted.curve,
+        index,
         count_or_none(graph.n),
         count_or_none(graph.m),
         std::to_string(graph.seed),
         optional(graph.name),
         optional(graph.status == RunStatus::ok ? "" : to_string(graph.status)),
         drawing == drawings.end() ? TableCell() : TableCell(drawing->second),
-        noted.is_point,
+        is_point,
         side,
         over(Quantity::volume),
         timed ? over(Quantity::wall_s) : kMissing,

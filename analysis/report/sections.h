@@ -83,12 +83,8 @@ class GraphList {
             const std::vector<Section>& sections, Table& table) const;
 
  private:
-  struct Noted {
-    std::size_t curve = 0;
-    bool is_point = false;
-    DrawnGraph graph;
-  };
-  std::map<std::size_t, Noted> rows_;
+  std::map<std::size_t, std::pair<std::size_t, DrawnGraph>> rows_;  // with their curves
+  std::set<std::size_t> points_;
 };
 
 /// Holds the first and the last of sizes that stand together, and of them the one nearest to the

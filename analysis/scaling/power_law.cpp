@@ -195,7 +195,8 @@ CurveFit fit_curve(std::span<const SizeSample> sizes, bool with_log, bool interv
   return curve;
 }
 
-Curvature curvature(std::span<const SizeSample> sizes) {
+void measure_curvature(ScalingEntry& entry) {
+  const std::vector<SizeSample>& sizes = entry.used;
   const double centre = centre_of(sizes);
   const Regressor linear = power_of(centre, 1), square = power_of(centre, 2),
                   cube = power_of(centre, 3);
@@ -206,14 +207,12 @@ Curvature curvature(std::span<const SizeSample> sizes) {
   const LinearFit with_both = fit_sizes(sizes, {linear, log_log, cube});
   const double first = std::log(static_cast<double>(sizes.front().n)) - centre;
   const double last = std::log(static_cast<double>(sizes.back().n)) - centre;
-  Curvature result;
-  result.first_exponent = parabola.coefficients[1] + 2 * parabola.coefficients[2] * first;
-  result.last_exponent = parabola.coefficients[1] + 2 * parabola.coefficients[2] * last;
+  entry.first_exponent = parabola.coefficients[1] + 2 * parabola.coefficients[2] * first;
+  entry.last_exponent = parabola.coefficients[1] + 2 * parabola.coefficients[2] * last;
   const Interval bend = robust_interval(parabola, 2);
-  result.drift = {2 * bend.low * (last - first), 2 * bend.high * (last - first)};
-  result.line_p = nested_p(line, cubic);
-  result.with_log_p = nested_p(with_log, with_both);
-  return result;
+  entry.drift = {2 * bend.low * (last - first), 2 * bend.high * (last - first)};
+  entry.line_p = nested_p(line, cubic);
+  entry.with_log_p = nested_p(with_log, with_both);
 }
 
 double log_weight(std::span<const SizeSample> sizes) {

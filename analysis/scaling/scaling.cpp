@@ -92,10 +92,9 @@ bool is_adequate(const CurveFit& fit, double p_value, std::size_t sizes) {
 
 /// Point 5 of docs/analysis.md: the local exponent is the same over the sizes.
 bool is_power_law(const ScalingEntry& entry) {
-  const Interval drift = entry.curvature.drift;
+  const Interval drift = entry.drift;
   return span_of(entry.used) >= kLawSpan && drift.low > -kSteadyDrift &&
-         drift.high < kSteadyDrift &&
-         is_adequate(entry.power, entry.curvature.line_p, entry.used.size());
+         drift.high < kSteadyDrift && is_adequate(entry.power, entry.line_p, entry.used.size());
 }
 
 bool holds_whole_number(const Interval& b) {
@@ -109,28 +108,24 @@ bool holds_whole_number(const Interval& b) {
 /// and as nothing else.
 bool is_power_and_log(const ScalingEntry& entry) {
   const Interval b = entry.with_log.log_exponent_interval;
-  return span_of(entry.used) >= kLogSpan && entry.curvature.drift.high < 0 && b.low > 0 &&
+  return span_of(entry.used) >= kLogSpan && entry.drift.high < 0 && b.low > 0 &&
          b.width() <= kLogExponentWidth && holds_whole_number(b) &&
          entry.log_weight >= kDecisiveWeight &&
-         is_adequate(entry.with_log, entry.curvature.with_log_p, entry.used.size());
+         is_adequate(entry.with_log, entry.with_log_p, entry.used.size());
 }
 
 /// Returns what the local exponent does over the sizes, one clause.
-std::string drift_text(const Curvature& curvature) {
-  const char* verb = curvature.drift.low > 0    ? "rises"
-                     : curvature.drift.high < 0 ? "falls"
-                                                : "changes";
+std::string drift_text(const ScalingEntry& entry) {
+  const char* verb = entry.drift.low > 0 ? "rises" : entry.drift.high < 0 ? "falls" : "changes";
   return fmt::format("local exponent {} from {:.2f} to {:.2f}, by [{:+.2f}, {:+.2f}]", verb,
-                     curvature.first_exponent, curvature.last_exponent, curvature.drift.low,
-                     curvature.drift.high);
+                     entry.first_exponent, entry.last_exponent, entry.drift.low, entry.drift.high);
 }
 
 void decide_growth(ScalingEntry& entry) {
-  const Curvature& curvature = entry.curvature;
-  entry.reason = drift_text(curvature);
+  entry.reason = drift_text(entry);
   if (is_power_law(entry)) {
     entry.growth = Growth::power;
-    const double left = std::max(std::abs(curvature.drift.low), std::abs(curvature.drift.high));
+    const double left = std::max(std::abs(entry.drift.low), std::abs(entry.drift.high));
     const Interval a = entry.power.exponent_interval;
     entry.law_interval = {a.low - left, a.high + left};
     return;
@@ -143,10 +138,10 @@ void decide_growth(ScalingEntry& entry) {
     return;
   }
   entry.growth = Growth::apparent;
-  const bool is_steady = curvature.drift.low > -kSteadyDrift && curvature.drift.high < kSteadyDrift;
+  const bool is_steady = entry.drift.low > -kSteadyDrift && entry.drift.high < kSteadyDrift;
   if (is_steady && span_of(entry.used) >= kLawSpan) {
-    entry.reason += fmt::format("; the sizes are off the line (p {:.2g})", curvature.line_p);
-  } else if (curvature.drift.contains(0)) {
+    entry.reason += fmt::format("; the sizes are off the line (p {:.2g})", entry.line_p);
+  } else if (entry.drift.contains(0)) {
     propose(doubled_sizes(entry, 2), entry);
   }
 }
@@ -176,7 +171,7 @@ ScalingEntry fit_scaling(std::vector<SizeSample> all) {
   entry.power = fit_curve(used, false, entry.decided);
   if (!entry.decided) return entry;
   entry.with_log = fit_curve(used, true, true);
-  entry.curvature = curvature(used);
+  measure_curvature(entry);
   entry.log_weight = log_weight(used);
   decide_growth(entry);
   return entry;

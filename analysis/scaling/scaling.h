@@ -80,23 +80,6 @@ struct CurveFit {
 /// @param intervals  false leaves them missing.
 CurveFit fit_curve(std::span<const SizeSample> sizes, bool with_log, bool intervals);
 
-/// Holds how far the sizes are from a straight line in log-log axes.
-struct Curvature {
-  /// Holds the local exponent (slope in log-log axes) of the fitted parabola at the smallest and at
-  /// the largest size; their difference, the drift, has an interval.
-  double first_exponent = kMissing;
-  double last_exponent = kMissing;
-  Interval drift{kMissing, kMissing};
-  /// Holds the p-value of the F-test that neither a quadratic nor a cubic term is needed.
-  double line_p = kMissing;
-  /// Holds the same for a cubic term beside n^a log(n)^b.
-  double with_log_p = kMissing;
-};
-
-/// Measures the curvature.
-/// @param sizes  at least six, all n > 1.
-Curvature curvature(std::span<const SizeSample> sizes);
-
 /// Returns the Akaike weight, in [0, 1], of n^a log(n)^b among four models. The others are n^a; n^a
 /// with a lower-order term of relative order n^(-1/2) or 1/n; and n^a with one smooth step (a cache
 /// boundary) at any of the inner sizes. AICc is over the means of the sizes. @param sizes  at least
@@ -122,7 +105,14 @@ struct ScalingEntry {
   std::vector<SizeSample> used;  ///< what was fitted: choose_sizes
   CurveFit power;                ///< n^a; a is the apparent exponent over the fitted sizes
   CurveFit with_log;             ///< n^a log^b n
-  Curvature curvature;           ///< how far from a power law the sizes are
+  /// Holds the local exponent (slope in log-log axes) of the fitted parabola at the smallest and at
+  /// the largest size; their difference, the drift, has an interval.
+  double first_exponent = kMissing, last_exponent = kMissing;
+  Interval drift{kMissing, kMissing};
+  /// Holds the p-value of the F-test that neither a quadratic nor a cubic term is needed.
+  double line_p = kMissing;
+  /// Holds the same for a cubic term beside n^a log(n)^b.
+  double with_log_p = kMissing;
   double log_weight = kMissing;  ///< ar3d::log_weight
   bool decided = false;          ///< the apparent exponent has an interval
   Growth growth = Growth::undecided;
@@ -133,6 +123,10 @@ struct ScalingEntry {
   std::string next;    ///< which sizes and seeds would decide, in words; empty if nothing would
   std::vector<std::int64_t> next_sizes;  ///< n to add for that
 };
+
+/// Measures how far the used sizes are from a straight line in log-log axes: first_exponent to
+/// with_log_p. @pre at least six sizes, all n > 1.
+void measure_curvature(ScalingEntry& entry);
 
 /// Is ScalingEntry::reason of a drawing time that no row of the timing phase tells.
 inline constexpr const char* kUntimed = "no rows of the timing phase";

@@ -49,9 +49,10 @@ bool run_once(const fs::path& folder, const char* side, std::size_t round, int c
 
 }  // namespace
 
-InterleavedRounds run_interleaved(const std::string& base_program, const std::string& new_program,
-                                  const Study& study, const std::string& folder,
-                                  const InterleaveOptions& options) {
+std::array<std::vector<Results>, 2> run_interleaved(const std::string& base_program,
+                                                    const std::string& new_program,
+                                                    const Study& study, const std::string& folder,
+                                                    const InterleaveOptions& options) {
   const fs::path own = fs::path(folder) / fmt::format("run-{}", getpid());
   BOOST_SCOPE_EXIT_ALL(&) { remove_folder(own); };
   for (const auto& [side, program] :
@@ -62,12 +63,11 @@ InterleavedRounds run_interleaved(const std::string& base_program, const std::st
   std::ofstream(own / "study.toml", std::ios::binary) << text_of_a_turn(study, kTimedRepetitions);
   const int core = options.core >= 0 ? options.core : allowed_cores().back();
   const Stopwatch stopwatch;
-  InterleavedRounds rounds;
+  std::array<std::vector<Results>, 2> rounds;
   for (std::size_t round = 0; round < options.rounds; ++round) {
-    const auto base = [&] { return run_once(own, kBase, round, core, options, rounds.base); };
-    const auto now = [&] { return run_once(own, kNew, round, core, options, rounds.now); };
-    rounds.interrupted = round % 2 == 0 ? !(base() && now()) : !(now() && base());
-    if (rounds.interrupted) break;
+    const auto base = [&] { return run_once(own, kBase, round, core, options, rounds[0]); };
+    const auto now = [&] { return run_once(own, kNew, round, core, options, rounds[1]); };
+    if (round % 2 == 0 ? !(base() && now()) : !(now() && base())) break;
     if (options.progress != nullptr) {
       const double left = static_cast<double>(options.rounds - round - 1) * stopwatch.wall_s() /
                           static_cast<double>(round + 1);

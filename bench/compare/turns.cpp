@@ -23,11 +23,11 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 2> kSuffixes = {".A", ".B"};
 
 /// Those of one sweep that are compared, each once.
-std::vector<CurveKey> settings_of(const Sweep& sweep, const std::optional<CurveKey>& only) {
+std::vector<CurveKey> settings_of(const Sweep& sweep, const CurveKey* only) {
   std::vector<CurveKey> settings;
   for (const AlgorithmChoice& choice : sweep.algorithms) {
     const CurveKey key = {choice.algorithm->name, settings_text(choice.options), {}, {}};
-    if (only.value_or(key) == key && std::ranges::count(settings, key) == 0) {
+    if ((only == nullptr || *only == key) && std::ranges::count(settings, key) == 0) {
       settings.push_back(key);
     }
   }
@@ -59,13 +59,15 @@ void require_alike(toml::table base, toml::table now) {
 /// Makes the study of both sides, sweep by sweep.
 class BothSides {
  public:
-  BothSides(const TurnsSide& base, const TurnsSide& now) : sides_{&base, &now} {}
+  BothSides(const std::vector<Study>& sides, const std::vector<CurveKey>& settings)
+      : sides_(sides), settings_(settings) {}
 
-  TurnsStudy study(std::size_t rounds, std::size_t otherwise) {
+  std::tuple<Study, std::vector<SettingPair>, std::vector<std::string>> study(
+      std::size_t rounds, std::size_t otherwise) {
     std::array<toml::table, 2> texts;
     toml::array programs, sweeps;
     for (const std::size_t side : {0U, 1U}) {
-      const Study& study = sides_[side]->study;
+      const Study& study = sides_[side];
       texts[side] = parse_toml(movable_text(study), study.spec.name);
       for (const char* key : {"count", "keep_drawings", "description"}) texts[side].erase(key);
       for_each_table(texts[side], "algorithm", [&](toml::table& program) {
@@ -88,23 +90,23 @@ class BothSides {
       for (const char* key : {"include", "exclude"}) say_of_both(sweep, key);
       sweeps.push_back(sweep);
     });
-    if (turns_.pairs.empty()) {
-      throw InputError(fmt::format("nothing to compare: {}", fmt::join(turns_.remarks, "; ")));
+    if (pairs_.empty()) {
+      throw InputError(fmt::format("nothing to compare: {}", fmt::join(remarks_, "; ")));
     }
     if (!programs.empty()) text.insert_or_assign("algorithm", programs);
     text.insert_or_assign("sweep", sweeps);
     if (toml::table* const most = text["max_n"].as_table()) say_of_both(*most);
     text.insert("timing", toml::table());  // unless it is there
     text["timing"].as_table()->insert_or_assign("restart", true);
-    text.insert_or_assign("study", sides_[0]->study.spec.name + "-turns");
-    turns_.study = parse_study(toml_text_of(text), "the study in turns");
-    return std::move(turns_);
+    text.insert_or_assign("study", sides_[0].spec.name + "-turns");
+    return {parse_study(toml_text_of(text), "the study in turns"), std::move(pairs_),
+            std::move(remarks_)};
   }
 
  private:
   bool is_program(const std::string& algorithm) const {
-    return std::ranges::any_of(sides_, [&](const TurnsSide* side) {
-      return std::ranges::any_of(side->study.spec.programs,
+    return std::ranges::any_of(sides_, [&](const Study& side) {
+      return std::ranges::any_of(side.spec.programs,
                                  [&](const auto& own) { return own->row.name == algorithm; });
     });
   }
@@ -135,8 +137,8 @@ class BothSides {
   toml::array algorithms_of(std::size_t sweep) {
     std::array<std::vector<CurveKey>, 2> settings;
     for (const std::size_t side : {0U, 1U}) {
-      const TurnsSide& of = *sides_[side];
-      settings[side] = settings_of(of.study.spec.sweeps[sweep], of.setting);
+      settings[side] = settings_of(sides_[side].spec.sweeps[sweep],
+                                   settings_.empty() ? nullptr : &settings_[side]);
       if (settings[side].empty()) return {};
     }
     const std::size_t count = settings[0].size();
@@ -150,13 +152,13 @@ class BothSides {
       const bool is_same = pair.base == pair.now;
       pair.name = algorithm_label(pair.base);
       if (is_same && !is_program(pair.base.algorithm)) {
-        add_once(turns_.remarks, pair.name + " is the same on both sides: not compared");
+        add_once(remarks_, pair.name + " is the same on both sides: not compared");
         continue;
       }
       if (!is_same) pair.name += " -> " + algorithm_label(pair.now);
       if (is_program(pair.base.algorithm)) pair.base.algorithm += kSuffixes[0];
       if (is_program(pair.now.algorithm)) pair.now.algorithm += kSuffixes[1];
-      add_once(turns_.pairs, pair);
+      add_once(pairs_, pair);
       add_once(compared, pair.base);
       add_once(compared, pair.now);
     }
@@ -169,8 +171,10 @@ class BothSides {
     return algorithms;
   }
 
-  const std::array<const TurnsSide*, 2> sides_;
-  TurnsStudy turns_;
+  const std::vector<Study>& sides_;
+  const std::vector<CurveKey>& settings_;
+  std::vector<SettingPair> pairs_;
+  std::vector<std::string> remarks_;
 };
 
 /// Gives every program of a study another command.
@@ -189,14 +193,15 @@ Study with_commands(const Study& study,
 std::vector<CurveKey> settings_of(const StudySpec& spec) {
   std::vector<CurveKey> settings;
   for (const Sweep& sweep : spec.sweeps) {
-    for (const CurveKey& key : settings_of(sweep, {})) add_once(settings, key);
+    for (const CurveKey& key : settings_of(sweep, nullptr)) add_once(settings, key);
   }
   return settings;
 }
 
-TurnsStudy turns_of(const TurnsSide& base, const TurnsSide& now, std::size_t rounds,
-                    std::size_t otherwise) {
-  return BothSides(base, now).study(rounds, otherwise);
+std::tuple<Study, std::vector<SettingPair>, std::vector<std::string>> turns_of(
+    const std::vector<Study>& sides, const std::vector<CurveKey>& settings, std::size_t rounds,
+    std::size_t otherwise) {
+  return BothSides(sides, settings).study(rounds, otherwise);
 }
 
 Study with_command(const Study& study, const std::string& command) {

@@ -93,7 +93,7 @@ Graph Spool::read(std::uint64_t offset) const {
 // graphs that are among the k smallest so far are ever written.
 class Corpus::Scan {
  public:
-  Scan(Corpus& corpus, const CorpusOptions& options) : corpus_(corpus), options_(options) {}
+  Scan(Corpus& corpus, const GraphsEntry& taken) : corpus_(corpus), options_(taken) {}
 
   void read(const CorpusFile& file) {
     corpus_.path_ = file.path;
@@ -242,7 +242,7 @@ class Corpus::Scan {
   }
 
   Corpus& corpus_;
-  const CorpusOptions& options_;
+  const GraphsEntry& options_;
   // By file the hashes of what a study has read of it before.
   std::map<std::string, std::set<std::string>> held_;
   std::set<std::string> there_;                  // files that were looked at
@@ -251,7 +251,7 @@ class Corpus::Scan {
   std::priority_queue<Ticket> drawn_;  // the smallest ones so far, the largest of them on top
 };
 
-Corpus::Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& options,
+Corpus::Corpus(const std::vector<CorpusFile>& files, const GraphsEntry& taken,
                const std::string& name)
     : family_{name,
               "The graphs of files",
@@ -260,7 +260,7 @@ Corpus::Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& option
               {},
               [](std::uint64_t n, const Settings&) { return n; }} {
   expect(!files.empty(), "a corpus has files");
-  Scan scan(*this, options);
+  Scan scan(*this, taken);
   for (const CorpusFile& file : files) scan.read(file);
   path_ = files.front().path;
   if (entries_.empty()) {
@@ -268,7 +268,7 @@ Corpus::Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& option
         fmt::format("none of {} files holds a graph{}", files.size(),
                     skipped_.empty() ? "" : "; the first: " + skipped_.front().reason));
   }
-  scan.finish(options.looks_again);
+  scan.finish(taken.looks_again);
 }
 
 std::size_t Corpus::number_at(std::uint32_t index) const {

@@ -58,11 +58,12 @@ class Corpus {
   /// is left out that holds what a held file of its name does.
   /// @throws InputError naming file and line if a graph cannot be read; if there are more than 10^7
   /// graphs and no sample is taken; if the temporary file cannot be written.
+  /// @param taken  how; the files that it names are not looked at.
   /// @param name  by which a study and its results know it.
-  Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& options,
+  Corpus(const std::vector<CorpusFile>& files, const GraphsEntry& taken,
          const std::string& name = "");
-  Corpus(const std::string& path, const CorpusOptions& options)
-      : Corpus(std::vector<CorpusFile>{{path, "", ""}}, options) {}
+  Corpus(const std::string& path, const GraphsEntry& taken)
+      : Corpus(std::vector<CorpusFile>{{path, "", ""}}, taken) {}
 
   /// Returns the family of that name; every n is its own nearest; it generates nothing.
   const Family& family() const { return family_; }
@@ -71,7 +72,7 @@ class Corpus {
   /// them. Of a collection: of names, groups and hashes of its files.
   const std::string& hash() const { return hash_; }
   std::uint64_t graphs_in_file() const { return graphs_in_file_; }
-  /// Returns files left out because of CorpusOptions::skip; their collection has no name yet.
+  /// Returns files left out because of GraphsEntry::skip; their collection has no name yet.
   const std::vector<SkippedFile>& skipped() const { return skipped_; }
 
   /// Returns what was assumed where a file left a choice, a line each (GraphReader::take_notes).

@@ -51,8 +51,8 @@ StudyPlan plan_of(const JournaledStudy& study);
 /// Returns what its files say of it. @throws InputError as describe_study.
 StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan);
 
-/// Returns the study that rank 0 begins, on every rank. @throws FailedTogether if `begin` throws an
-/// InputError.
+/// Returns the study that rank 0 begins, on every rank. @throws InputError that `begin` throws, on all
+/// of them.
 JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin);
 
 /// Plans the rows, makes those that are missing, appends each to the log, and exports all as the
@@ -62,7 +62,7 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
 /// journal each; rank 0 does the timed phases alone and makes the results file.
 /// @return of rank 0; other ranks know nothing of it.
 /// @throws JournalFull (results.journal is whole), InputError as JournalWriter, plan_study; of
-/// several ranks FailedTogether on all, or anything else on one, which has to end the others.
+/// several ranks on all (Ranks::have_failed), or on one, which has to end the others.
 StudyOutcome run_journaled(JournaledStudy study, SessionPolicy policy, Ranks& ranks);
 
 /// Represents the log of a study that one process appends to: its journal, locked while this lives.
@@ -70,7 +70,7 @@ class StudyLog {
  public:
   /// Opens the journal, on all ranks. What the results file alone holds goes into the journal of
   /// rank 0 first.
-  /// Study and plan outlive it. @throws FailedTogether, InputError as JournalWriter; naming a row
+  /// Study and plan outlive it. @throws InputError as JournalWriter; naming a row
   /// that the plan does not have or a program that has changed.
   StudyLog(const JournaledStudy& study, const StudyPlan& plan, const SessionPolicy& policy,
            Ranks& ranks);

@@ -9,7 +9,6 @@
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/session.h"
-#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 namespace {
@@ -133,16 +132,9 @@ Rows StudyLog::rows() const {
 }
 
 RowSink StudyLog::sink(const Rows& there) {
-  RowSink sink{[&](std::size_t, const RunRecord& row) { journal_->append(row); },
-               [&](const EnvironmentEntry& entry) { at_end_.push_back(entry); }};
-  if (there.size() == 0) return sink;
-  sink.has = [&](const std::string& key) { return there.find(parse_row_key(key)).has_value(); };
-  sink.read = [&](const std::string& key) {
-    std::vector<char> record(run_record_size());
-    there.read(there.find(parse_row_key(key)).value(), record.data());
-    return load_record(record.data());
-  };
-  return sink;
+  return {[&](std::size_t, const RunRecord& row) { journal_->append(row); },
+          [&](const EnvironmentEntry& entry) { at_end_.push_back(entry); },
+          there.size() == 0 ? nullptr : &there};
 }
 
 void StudyLog::end_session() {

@@ -67,14 +67,14 @@ std::string changed_file(const StudyFiles& known, const std::string& family, con
 }
 
 /// What a corpus is opened by: files and options.
-std::string file_key(const GraphFileRecord& record, const CorpusOptions& options, bool is_held,
+std::string file_key(const GraphFileRecord& record, const GraphsEntry& entry, bool is_held,
                      bool grows) {
-  const ReadOptions& reading = options.reading;
+  const ReadOptions& reading = entry.reading;
   return fmt::format("{}\n{}\n{}\n{};{};{};{};{};{};{};{};{};{};{}", record.name, record.path,
                      record.groups, reading.format, reading.base.value_or(2),
                      static_cast<int>(reading.first_line), reading.simplify, reading.undirected,
-                     options.largest_component, options.sample, options.sample_seed, options.skip,
-                     is_held, grows);
+                     entry.largest_component, entry.sample, entry.sample_seed, entry.skip, is_held,
+                     grows);
 }
 
 void require_name(const GraphFileRecord& record, const GraphsEntry& entry) {
@@ -144,9 +144,7 @@ class CorpusReader {
 
   void add(const Sweep& sweep, const GraphsEntry& entry, GraphFileRecord record) {
     require_name(record, entry);
-    CorpusOptions options = entry.options;
-    options.sample_seed = spec_.seed;
-    const std::shared_ptr<const Corpus> graphs = opened(record, options, entry);
+    const std::shared_ptr<const Corpus> graphs = opened(record, entry);
     if (!record.hash.empty() && record.hash != graphs->hash() && !is_held(record)) {
       throw InputError(fmt::format(
           "{}: its graphs are not those that the study began with ({} graphs with hash {} now, {} "
@@ -156,17 +154,17 @@ class CorpusReader {
     }
     record.hash = graphs->hash();
     record.graphs = static_cast<std::int64_t>(graphs->graphs_in_file());
-    require_one_of_a_kind(record, options, entry);
+    require_one_of_a_kind(record, entry);
     require_rows_of_one_name(*graphs, record, entry);
     corpora_.push_back({&sweep, &entry, record, graphs});
   }
 
-  std::shared_ptr<const Corpus> opened(const GraphFileRecord& record, const CorpusOptions& options,
-                                       const GraphsEntry& entry) const {
+  std::shared_ptr<const Corpus> opened(const GraphFileRecord& record, GraphsEntry entry) const {
     try {
-      const bool grows = files_.grow && options.sample == 0;  // a sample stays as it was drawn
+      entry.sample_seed = spec_.seed;
+      const bool grows = files_.grow && entry.sample == 0;  // a sample stays as it was drawn
       std::shared_ptr<const Corpus>& corpus =
-          files_.open_files->corpora[file_key(record, options, is_held(record), grows)];
+          files_.open_files->corpora[file_key(record, entry, is_held(record), grows)];
       if (corpus) return corpus;
       std::vector<CorpusFile> files = held_files(files_, record);
       if (files.empty() || grows) {
@@ -175,9 +173,8 @@ class CorpusReader {
         }
       }
       if (files.empty()) refuse_empty(entry);
-      CorpusOptions now = options;
-      now.looks_again = grows && files.front().held;
-      return corpus = std::make_shared<const Corpus>(files, now, record.name);
+      entry.looks_again = grows && files.front().held;
+      return corpus = std::make_shared<const Corpus>(files, entry, record.name);
     } catch (const InputError& error) {
       const std::string message = error.what();
       throw InputError(message.starts_with(entry.location) ? message : entry.location + message);
@@ -199,8 +196,7 @@ class CorpusReader {
 
   // Rows are told apart by the graphs' hash and, for people, by the name: one must give the other.
   // A sample is no part of it, so that a larger one has the rows of the smaller.
-  void require_one_of_a_kind(const GraphFileRecord& record, const CorpusOptions& options,
-                             const GraphsEntry& entry) {
+  void require_one_of_a_kind(const GraphFileRecord& record, const GraphsEntry& entry) {
     const auto refuse = [&](const std::string& problem) {
       throw InputError(fmt::format("{}{} {}", entry.location, printable(record.path), problem));
     };
@@ -214,8 +210,8 @@ class CorpusReader {
     if (same_hash.name != record.name) {
       refuse(fmt::format("holds the same graphs as {}", printable(same_hash.path)));
     }
-    const std::string kind = fmt::format("{} {}", record.hash, options.largest_component);
-    if (samples_.try_emplace(kind, options.sample).first->second != options.sample) {
+    const std::string kind = fmt::format("{} {}", record.hash, entry.largest_component);
+    if (samples_.try_emplace(kind, entry.sample).first->second != entry.sample) {
       refuse("is taken twice, with different samples");
     }
   }
@@ -247,7 +243,7 @@ std::vector<FamilyChoice> StudyCorpus::choices() const {
   std::vector<FamilyChoice> choices;
   for (const std::int64_t shuffle : entry->shuffles) {
     FamilyChoice choice{&corpus->family(), {}, corpus};
-    if (entry->options.largest_component) choice.parameters.push_back({"largest_component", 1});
+    if (entry->largest_component) choice.parameters.push_back({"largest_component", 1});
     if (shuffle > 0) choice.parameters.push_back({"shuffle", shuffle});
     choices.push_back(std::move(choice));
   }

@@ -39,14 +39,11 @@ constexpr std::size_t kSimulatedBytes = 8388608, kLine = 64;  // of the last lev
 constexpr const char* kNoCache = "GLIBC_TUNABLES=glibc.malloc.tcache_count=0";
 constexpr std::string_view kFileFamily = "file:";
 
-// What callgrind counts of a drawing, generation and certification left out.
-struct DrawingCounts {
-  std::int64_t instructions = -1;
-  // Instructions + 10 for every miss of the first level of a simulated cache + 100 for every miss
-  // of its last: the estimate of kcachegrind. The cache is the same on every machine: 32 KB of
-  // instructions and 32 KB of data, 8 MB behind both.
-  std::int64_t estimated_cycles = -1;
-};
+// What callgrind counts of a drawing, generation and certification left out: instructions, and as
+// estimated cycles instructions + 10 for every miss of the first level of a simulated cache + 100
+// for every miss of its last: the estimate of kcachegrind. The cache is the same on every machine:
+// 32 KB of instructions and 32 KB of data, 8 MB behind both. -1: not counted.
+using DrawingCounts = std::pair<std::int64_t, std::int64_t>;
 
 // What a drawing costs must not depend on those before it: all that they free becomes one piece of
 // the heap again, which never grows or shrinks.
@@ -84,17 +81,17 @@ DrawingCounts counts_of(const std::string& events, const std::string& summary) {
   std::istringstream names(events), numbers(summary);
   std::string name;
   std::int64_t number = 0;
-  DrawingCounts counts{0, 0};
+  std::int64_t instructions = 0, cycles = 0;
   while (names >> name && numbers >> number) {
-    if (name == "Ir") counts.instructions = number;
+    if (name == "Ir") instructions = number;
     const bool is_first = name.starts_with("I1") || name.starts_with("D1");
     const int weight = name == "Ir"                                       ? 1
                        : is_first                                         ? 10
                        : name.starts_with("IL") || name.starts_with("DL") ? 100
                                                                           : 0;
-    counts.estimated_cycles += weight * number;
+    cycles += weight * number;
   }
-  return counts;
+  return {instructions, cycles};
 }
 
 // The parts of a callgrind output file that have counted something, in order.
@@ -107,7 +104,7 @@ std::vector<DrawingCounts> parts_of(const std::string& path) {
     if (line.starts_with(kEvents)) events = line.substr(kEvents.size());
     if (!line.starts_with(kSummary)) continue;
     const DrawingCounts counts = counts_of(events, line.substr(kSummary.size()));
-    if (counts.instructions > 0) parts.push_back(counts);
+    if (counts.first > 0) parts.push_back(counts);
   }
   return parts;
 }
@@ -223,7 +220,7 @@ std::vector<DrawingCounts> count_answers(const ExternalAlgorithm& program,
   std::vector<DrawingCounts> counts;
   for (auto part = parts.begin(); parts.end() - part > std::ptrdiff_t{kCountedAnswers};) {
     std::array<std::int64_t, kCountedAnswers> answers;
-    for (std::int64_t& answer : answers) answer = (++part)->instructions;
+    for (std::int64_t& answer : answers) answer = (++part)->first;
     ++part;
     std::ranges::sort(answers);
     const auto least = static_cast<double>(answers[0]);
@@ -231,7 +228,7 @@ std::vector<DrawingCounts> count_answers(const ExternalAlgorithm& program,
       throw InputError(
           fmt::format("its instructions for one graph differ: {} and {}", answers[0], answers[1]));
     }
-    counts.push_back({answers[0], -1});
+    counts.emplace_back(answers[0], -1);
   }
   if (counts.size() >= rows.size()) return counts;
   throw InputError(fmt::format("callgrind counted {} of {} drawings", counts.size(), rows.size()));
@@ -283,7 +280,8 @@ std::size_t fill_counts(Results& results, std::int64_t max_n) {
   // By program and options; null: all of the catalogue.
   std::map<std::pair<const ExternalAlgorithm*, std::string>, std::vector<const RunRecord*>> groups;
   for (const RunRecord& run : results.runs) {
-    if (run.n > max_n || !is_drawn(run) || !counts.try_emplace(key_of(run)).second) continue;
+    if (run.n > max_n || !is_drawn(run) || !counts.try_emplace(key_of(run), -1, -1).second)
+      continue;
     const ExternalAlgorithm* program = program_of(run, origin);
     groups[{program, program == nullptr ? "" : run.options}].push_back(&run);
   }
@@ -305,9 +303,8 @@ std::size_t fill_counts(Results& results, std::int64_t max_n) {
   }
   for (RunRecord& run : results.runs) {
     const auto at = counts.find(key_of(run));
-    if (at == counts.end() || at->second.instructions < 0) continue;
-    run.counted_instructions = at->second.instructions;
-    run.estimated_cycles = at->second.estimated_cycles;
+    if (at == counts.end() || at->second.first < 0) continue;
+    std::tie(run.counted_instructions, run.estimated_cycles) = at->second;
   }
   return drawings;
 }

@@ -48,19 +48,6 @@ std::vector<std::size_t> worst_rows(const Rows& rows) {
   return chosen;
 }
 
-/// The drawing of a row; or nothing, and why.
-std::optional<Drawing> drawn_again(const RunRecord& run, const StudyOrigin& origin,
-                                   std::string& problem) {
-  try {
-    Drawing drawing = redrawn(run, origin);
-    if (drawing_hash(drawing) == run.drawing_hash) return drawing;
-    problem = "drawn again it is another drawing, which is not kept";
-  } catch (const std::exception& error) {
-    problem = fmt::format("not drawn again: {}", error.what());
-  }
-  return std::nullopt;
-}
-
 std::vector<std::size_t> rows_to_keep(const Rows& rows, KeptDrawings kept, std::size_t& repeated) {
   if (kept == KeptDrawings::none) return {};
   if (kept == KeptDrawings::worst) return worst_rows(rows);
@@ -80,20 +67,34 @@ std::vector<std::size_t> rows_to_keep(const Rows& rows, KeptDrawings kept, std::
 
 }  // namespace
 
-KeptOutcome write_kept_drawings(const Rows& rows, KeptDrawings kept, OutputFile& file) {
-  KeptOutcome outcome;
+std::optional<Drawing> drawn_again(const RunRecord& run, const StudyOrigin& origin,
+                                   std::string& problem) {
+  try {
+    Drawing drawing = redrawn(run, origin);
+    if (drawing_hash(drawing) == run.drawing_hash) return drawing;
+    problem = "drawn again it is another drawing, which is not kept";
+  } catch (const std::exception& error) {
+    problem = fmt::format("not drawn again: {}", error.what());
+  }
+  return std::nullopt;
+}
+
+std::tuple<std::size_t, std::size_t, std::vector<std::string>> write_kept_drawings(
+    const Rows& rows, KeptDrawings kept, OutputFile& file) {
+  std::size_t written = 0, repeated = 0;
+  std::vector<std::string> problems;
   const StudyOrigin origin = study_origin(rows.identity());
   if (origin.study && origin.study->files.begun_with) corpora_of(*origin.study);
-  for (const std::size_t row : rows_to_keep(rows, kept, outcome.repeated)) {
+  for (const std::size_t row : rows_to_keep(rows, kept, repeated)) {
     std::string problem;
     if (const auto drawing = drawn_again(rows.run(row), origin, problem)) {
       write_drawing_line(file, *drawing);
-      ++outcome.kept;
+      ++written;
     } else {
-      outcome.problems.push_back(fmt::format("row {}: {}", row, problem));
+      problems.push_back(fmt::format("row {}: {}", row, problem));
     }
   }
-  return outcome;
+  return {written, repeated, std::move(problems)};
 }
 
 }  // namespace ar3d

@@ -98,7 +98,7 @@ RunRecord replayed(const RunRecord& row, const StudyOrigin& origin) {
         instance.choice.family->nearest_n(instance.requested_n, instance.choice.parameters);
     set_seed_and_keys(*origin.seed, instance);
   }
-  RowMaker maker({.concurrency = 1, .core = -1, .memory = MemoryScope::row});
+  RowMaker maker(MemoryScope::row);
   maker.prepare(instance);
   RunRecord now = maker.make_row(instance.runs.front());
   if (row.max_degree < 0) now.max_degree = row.max_degree;  // made before there was that column

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "ar3d/bench/plan/plan.h"
@@ -39,6 +40,10 @@ PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin = {}
 /// Returns the drawing of a recorded row, drawn again. @throws InputError as plan_of_row.
 Drawing redrawn(const RunRecord& row, const StudyOrigin& origin = {});
 
+/// Returns the same if its hash is its row's; else nothing, and why.
+std::optional<Drawing> drawn_again(const RunRecord& run, const StudyOrigin& origin,
+                                   std::string& problem);
+
 /// Makes a recorded row again: generates, draws, certifies. differing_columns(row, replayed(row))
 /// is empty if nothing but measurements changed.
 /// @throws InputError as plan_of_row.
@@ -50,13 +55,6 @@ RunRecord replayed(const RunRecord& row, const StudyOrigin& origin = {});
 std::vector<std::size_t> sample_of_rows(const std::vector<RunRecord>& rows, std::size_t count,
                                         std::uint64_t seed);
 
-/// Holds how it went.
-struct KeptOutcome {
-  std::size_t kept = 0;
-  std::size_t repeated = 0;           ///< rows whose drawing is kept for an earlier row
-  std::vector<std::string> problems;  ///< a line for each drawing that could not be kept
-};
-
 /// Draws the rows again whose drawings are kept (of the metrics phase, one per drawing: graph,
 /// algorithm, options), one at a time, and writes each drawing as a line of JSON, in the order of
 /// the rows. A drawing is kept only if its hash is its row's.
@@ -64,9 +62,12 @@ struct KeptOutcome {
 /// of the theorem's bound on an axis; where there is no bound, with the largest miss of an angle,
 /// and where there is none, with the largest volume. Of equal rows the first one.
 /// Memory: 64 bytes per row kept, and the curves.
+/// @return how many are kept, how many more rows have one of these, and a line for each drawing that
+/// could not be kept.
 /// @throws InputError if the file cannot be written; as corpora_of, before anything is drawn, if a
 /// file of graphs is no longer what the study began with.
-KeptOutcome write_kept_drawings(const Rows& rows, KeptDrawings kept, OutputFile& file);
+std::tuple<std::size_t, std::size_t, std::vector<std::string>> write_kept_drawings(
+    const Rows& rows, KeptDrawings kept, OutputFile& file);
 
 /// Returns why nothing can be counted here: valgrind is missing, or the build is sanitised; empty
 /// if it can.

@@ -118,10 +118,7 @@ double drawn_in_threads(BatchRows& rows, int threads) {
 class BatchDrawer {
  public:
   BatchDrawer(const StudyPlan& plan, int rank, std::function<bool()> stop)
-      : plan_(plan),
-        rank_(rank),
-        stop_(std::move(stop)),
-        maker_({.concurrency = 1, .core = -1, .memory = MemoryScope::process}) {}
+      : plan_(plan), rank_(rank), stop_(std::move(stop)) {}
 
   // The maker of the rows of the instance at that index of the plan, whose graph is there.
   RowMaker& maker_for(std::size_t index) {

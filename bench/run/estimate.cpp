@@ -67,10 +67,7 @@ RowCosts measured_here(const PlannedInstance& instance, const PlannedRun& run,
   best.row_s = std::numeric_limits<double>::infinity();
   for (int go = 0; go < 2 && (go == 0 || best.row_s < kLong_s); ++go) {
     malloc_trim(0);  // else what is freed hides what is used
-    RowMaker maker({.concurrency = 1,
-                    .core = -1,
-                    .memory = MemoryScope::row,
-                    .certify_memory_bytes = budget.certify_memory_bytes});
+    RowMaker maker(MemoryScope::row, 1, -1, budget.certify_memory_bytes);
     RowMemory memory(MemoryScope::row);
     const std::int64_t before = memory.begin_row();
     const CpuStopwatch time;

@@ -26,9 +26,9 @@ class StudySession {
   const StudyPlan& plan() const { return plan_; }
   const SessionPolicy& policy() const { return policy_; }
 
-  bool wants(const PlannedRun& run) const { return !sink_.has || !sink_.has(run.row_key); }
+  bool wants(const PlannedRun& run) const;
   /// Returns the row of a run that is not wanted, since it is there.
-  RunRecord known(const PlannedRun& run) const { return sink_.read(run.row_key); }
+  RunRecord known(const PlannedRun& run) const;
 
   /// Hands a row on. Once that has failed, rows are lost: the session stops.
   void add(const PlannedRun& run, const RunRecord& row);
@@ -84,12 +84,14 @@ class RowSource {
   int workers() const { return workers_; }
   /// Returns the session whose rows these are.
   StudySession& session() const { return session_; }
-  /// Returns how that worker makes rows.
-  Circumstances circumstances(int worker, MemoryScope memory) const {
-    return {.concurrency = workers_ + elsewhere_,
-            .core = cores_.empty() ? -1 : cores_.at(static_cast<std::size_t>(worker)),
-            .memory = memory,
-            .certify_memory_bytes = session_.plan().budget.certify_memory_bytes};
+  /// Returns the core of that worker; -1: it has none to itself.
+  int core_of(int worker) const {
+    return cores_.empty() ? -1 : cores_.at(static_cast<std::size_t>(worker));
+  }
+  /// Returns the maker of that worker's rows.
+  RowMaker maker(int worker, MemoryScope memory) const {
+    return RowMaker(memory, workers_ + elsewhere_, core_of(worker),
+                    session_.plan().budget.certify_memory_bytes);
   }
   /// Returns the next row for the worker of that number; nothing: there is no more for it.
   virtual std::optional<RowJob> next(int worker) = 0;

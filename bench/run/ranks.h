@@ -64,22 +64,13 @@ class Ranks {
   /// Ends all of several ranks, since the others may wait for ever for this one, which has failed
   /// on its own and said why. Where it is alone, nothing happens.
   virtual void abort_all(int exit_code) { (void)exit_code; }
+
+  bool have_failed = false;  ///< in a step that all do together: all of several ranks know it
 };
 
-/// Holds what one of several ranks failed at in a step that all do together; every one of them
-/// throws it.
-class FailedTogether : public InputError {
- public:
-  FailedTogether(const std::string& what, bool journal_full)
-      : InputError(what), journal_full_(journal_full) {}
-  bool journal_full() const { return journal_full_; }  ///< as JournalFull
-
- private:
-  bool journal_full_;
-};
-
-/// Does a step on all ranks; an InputError of one is one of all. What else is thrown is the rank's
-/// own: its caller ends them all (Ranks::abort_all). @throws FailedTogether of several ranks.
+/// Does a step on all ranks; an InputError of one, or JournalFull, is one of all: each throws it, and
+/// have_failed says so. What else is thrown is the rank's own: its caller ends them all
+/// (Ranks::abort_all).
 void together(Ranks& ranks, const std::function<void()>& step);
 
 /// Returns the processes that mpirun has started; in the program that is not made for it, this

@@ -149,8 +149,12 @@ bool attempt(RunRecord& run, const std::function<void()>& step) {
   }
 }
 
-RowMaker::RowMaker(const Circumstances& circumstances)
-    : circumstances_(circumstances), memory_(circumstances.memory) {}
+RowMaker::RowMaker(MemoryScope memory, std::int64_t concurrency, std::int64_t core,
+                   const std::optional<LimitByVertices>& certify_memory_bytes)
+    : concurrency_(concurrency),
+      core_(core),
+      certify_memory_bytes_(certify_memory_bytes),
+      memory_(memory) {}
 
 void RowMaker::prepare(const PlannedInstance& instance) {
   graph_.reset();
@@ -171,8 +175,8 @@ void RowMaker::prepare(const PlannedInstance& instance) {
 RunRecord RowMaker::begun(const PlannedRun& planned) const {
   RunRecord run = base_;
   set_run(planned, run);
-  run.concurrency = circumstances_.concurrency;
-  run.core = circumstances_.core;
+  run.concurrency = concurrency_;
+  run.core = core_;
   run.build_kind = build_kind();
   return run;
 }
@@ -229,8 +233,7 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
     return;
   }
   Guarantee guarantee = choice.algorithm->guarantee;
-  const CertifyOptions how =
-      certifying(choice, circumstances_.certify_memory_bytes, *graph_, drawing, guarantee);
+  const CertifyOptions how = certifying(choice, certify_memory_bytes_, *graph_, drawing, guarantee);
   Examination examination = examine(*graph_, drawing, guarantee, {}, how);
   const Stopwatch angles_time;
   auto& summary = examination.summary;

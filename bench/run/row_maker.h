@@ -15,14 +15,6 @@
 
 namespace ar3d {
 
-/// Says under what circumstances a maker's rows are made.
-struct Circumstances {
-  std::int64_t concurrency = 1;  ///< rows made at the same time, with this one
-  std::int64_t core = -1;        ///< core that the thread is pinned to, if any
-  MemoryScope memory = MemoryScope::process;
-  std::optional<LimitByVertices> certify_memory_bytes = {};  ///< as the budget has it
-};
-
 /// Says which row of a plan is asked for, and what is done for it besides drawing.
 struct RowRequest {
   std::size_t index = 0;       ///< of the instance in the plan
@@ -39,7 +31,11 @@ struct RowRequest {
 /// row with a status and a message. Construct and use it in one thread.
 class RowMaker {
  public:
-  explicit RowMaker(const Circumstances& circumstances);
+  /// @param concurrency  rows made at the same time, with this one. @param core  that the thread is
+  /// pinned to; -1: none. @param certify_memory_bytes  as the budget has it.
+  explicit RowMaker(MemoryScope memory = MemoryScope::process, std::int64_t concurrency = 1,
+                    std::int64_t core = -1,
+                    const std::optional<LimitByVertices>& certify_memory_bytes = {});
 
   /// Generates or reads the instance's graph. Where that fails, every row made until the next
   /// prepare() has its status and message.
@@ -52,7 +48,8 @@ class RowMaker {
   RunRecord make_row(const PlannedRun& planned, const RowRequest& request = {});
 
  private:
-  Circumstances circumstances_;
+  std::int64_t concurrency_, core_;
+  std::optional<LimitByVertices> certify_memory_bytes_;
   HardwareCounters counters_;
   RowMemory memory_;
   std::optional<Yardsticks> yardsticks_;  ///< once a row of the timing phase was made

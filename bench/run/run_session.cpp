@@ -1,4 +1,5 @@
-// The phases of a study in order, each with its threads or worker processes.
+// The phases of a study in order, each with its threads or worker processes, and the steps that
+// several ranks do together: what one of them fails at, all have failed at.
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -11,6 +12,7 @@
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/execute.h"
+#include "ar3d/store/journal/journal_writer.h"
 
 namespace ar3d {
 namespace {
@@ -20,10 +22,9 @@ bool is_timing(RunPhase phase) { return phase == RunPhase::timing; }
 
 void work(RowSource& source, int worker, const std::atomic<bool>& failed) {
   const OneThread one_thread;
-  const Circumstances circumstances =
-      source.circumstances(worker, source.workers() == 1 ? MemoryScope::row : MemoryScope::process);
-  const Pinning pinning(static_cast<int>(circumstances.core));
-  RowMaker maker(circumstances);
+  const Pinning pinning(source.core_of(worker));
+  RowMaker maker =
+      source.maker(worker, source.workers() == 1 ? MemoryScope::row : MemoryScope::process);
   std::shared_ptr<const PlannedInstance> prepared;
   while (!failed && !source.session().stopped()) {
     const std::optional<RowJob> job = source.next(worker);
@@ -70,6 +71,29 @@ void execute(RowSource& source) {
   } else {
     work_in_threads(source);
   }
+}
+
+void together(Ranks& ranks, const std::function<void()>& step) {
+  if (ranks.size() == 1) {
+    step();
+    return ranks.barrier();
+  }
+  StepResult result = StepResult::done;
+  std::string why;
+  try {
+    step();
+  } catch (const JournalFull& error) {
+    result = StepResult::journal_full;
+    why = error.what();
+  } catch (const InputError& error) {
+    result = StepResult::failed;
+    why = error.what();
+  }
+  result = ranks.agree(result, why);
+  if (result == StepResult::done) return;
+  ranks.have_failed = true;
+  if (result == StepResult::journal_full) throw JournalFull(why);
+  throw InputError(why);
 }
 
 void require_possible(const StudyPlan& plan, const SessionPolicy& policy) {

@@ -5,6 +5,7 @@
 #include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/execute.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 namespace {
@@ -50,7 +51,7 @@ class StudySession::Progress {
   using Clock = std::chrono::steady_clock;
 
   void count_rows(const StudyPlan& plan, const RowSink& sink) {
-    if (!sink.has) {  // without session a million instances for nothing
+    if (sink.there == nullptr) {  // a million instances need not be made for it
       for (const PlannedBlock& block : plan.instances.blocks()) {
         const std::size_t more = block.count * required_runs(block.first);
         planned_rows_ += more;
@@ -61,7 +62,7 @@ class StudySession::Progress {
     }
     for (const PlannedInstance& instance : plan.instances) {
       for (const PlannedRun& run : instance.runs) {
-        if (sink.has(run.row_key)) continue;
+        if (sink.there->find(parse_row_key(run.row_key))) continue;
         ++(run.optional ? optional_rows_ : planned_rows_);
         if (!run.optional) planned_work_ += work_of_row(instance.requested_n);
       }
@@ -113,6 +114,16 @@ StudySession::StudySession(const StudyPlan& plan, const SessionPolicy& policy, c
       keeps_failures_(has_run(plan, [](RunPhase phase) { return phase != RunPhase::metrics; })) {}
 
 StudySession::~StudySession() { progress_->finish(); }
+
+bool StudySession::wants(const PlannedRun& run) const {
+  return sink_.there == nullptr || !sink_.there->find(parse_row_key(run.row_key));
+}
+
+RunRecord StudySession::known(const PlannedRun& run) const {
+  std::vector<char> record(run_record_size());
+  sink_.there->read(sink_.there->find(parse_row_key(run.row_key)).value(), record.data());
+  return load_record(record.data());
+}
 
 void StudySession::add(const PlannedRun& run, const RunRecord& row) {
   const std::lock_guard<std::mutex> lock(mutex_);

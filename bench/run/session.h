@@ -37,11 +37,8 @@ struct RowSink {
   std::function<void(std::size_t index, const RunRecord& row)> add;
   /// Records an entry of the session's environment; may be empty.
   std::function<void(const EnvironmentEntry&)> note = {};
-  /// Gives true for a row that is not to be made; empty: there is none. Called by several threads
-  /// at once, as `read` is.
-  std::function<bool(const std::string& row_key)> has = {};
-  /// Returns a row that is there.
-  std::function<RunRecord(const std::string& row_key)> read = {};
+  /// Holds rows that are not to be made, in the order of their keys; null: there are none.
+  const Rows* there = nullptr;
 };
 
 /// @throws InputError if the plan has timed rows and this build's times are worth little, if a

@@ -64,10 +64,11 @@ std::vector<int> descriptors_of_graphs(const StudyPlan& plan) {
 
 static_assert(std::is_trivially_copyable_v<RowRequest>);  // it is sent as it stands in memory
 
-// Serves rows until the parent hangs up. The plan is the parent's.
-void serve(int socket, const StudyPlan& plan, const Circumstances& circumstances) {
-  const Pinning pinning(static_cast<int>(circumstances.core));
-  RowMaker maker(circumstances);
+// Serves rows until the parent hangs up. Source and plan are the parent's.
+void serve(int socket, const RowSource& source, int worker) {
+  const StudyPlan& plan = source.session().plan();
+  const Pinning pinning(source.core_of(worker));
+  RowMaker maker = source.maker(worker, MemoryScope::worker);
   PlannedInstance instance;
   std::optional<std::size_t> prepared;
   RowRequest request;
@@ -190,10 +191,9 @@ class WorkerSlot {
     worker_.reset();
     received_.clear();
     oom_kills_before_ = oom_kills();
-    const StudyPlan& plan = source_.session().plan();
-    const Circumstances circumstances = source_.circumstances(number_, MemoryScope::worker);
-    worker_ = Child::forked({.kept = descriptors_of_graphs(plan)}, [&](int socket) {
-      serve(socket, plan, circumstances);
+    const std::vector<int> kept = descriptors_of_graphs(source_.session().plan());
+    worker_ = Child::forked({.kept = kept}, [&](int socket) {
+      serve(socket, source_, number_);
       return 0;
     });
     fcntl(worker_->socket(), F_SETFL, O_NONBLOCK);

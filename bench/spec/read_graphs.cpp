@@ -27,7 +27,7 @@ FirstLine first_line(const std::string& word) {
 
 void read_table(const toml::node& node, GraphsEntry& entry) {
   entry.is_collection = has_toml_key(node, "files");
-  ReadOptions& reading = entry.options.reading;
+  ReadOptions& reading = entry.reading;
   const auto name = [](const std::string& text) {
     if (is_graphs_name(text)) return text;
     throw InputError(fmt::format("name '{}' is not 1 to {} letters, digits, '.', '-' or '_'",
@@ -49,14 +49,14 @@ void read_table(const toml::node& node, GraphsEntry& entry) {
   };
   std::vector<TomlKey> keys = {{entry.is_collection ? "files" : "file", into(entry.file), true},
                                {"name", parsed_into(entry.name, name), entry.is_collection},
-                               {"skip", into(entry.options.skip)},
+                               {"skip", into(entry.skip)},
                                {"format", parsed_into(reading.format, format)},
                                {"base", base},
                                {"first_line", parsed_into(reading.first_line, first_line)},
                                {"undirected", into(reading.undirected)},
                                {"simple", into(reading.simplify)},
-                               {"largest_component", into(entry.options.largest_component)},
-                               {"sample", into(entry.options.sample, 1, kMostSampled)},
+                               {"largest_component", into(entry.largest_component)},
+                               {"sample", into(entry.sample, 1, kMostSampled)},
                                {"shuffle", read_shuffles}};
   if (entry.is_collection) keys.push_back({"groups", into(entry.groups)});
   read_toml_table(node, "graphs", keys);

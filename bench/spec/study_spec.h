@@ -82,28 +82,28 @@ struct AlgorithmChoice {
   std::shared_ptr<const ExternalAlgorithm> program = {};  ///< null: of the catalogue
   CertificateMode certificate = CertificateMode::exact;   ///< that judges its drawings
   Level level = Level::extents;
-  /// Returns false for a program that promises nothing: its drawings are only measured.
-  bool is_judged() const { return !program || algorithm->guarantee.claim == Claim::proved; }
+  /// Returns false for what promises nothing, not even an angle above 0 degrees, as programs without
+  /// a guarantee do: its drawings are only measured.
+  bool is_judged() const {
+    const Guarantee& guarantee = algorithm->guarantee;
+    return guarantee.claim == Claim::proved ||
+           guarantee.cosine.numerator < guarantee.cosine.denominator;
+  }
 };
 
-/// Holds how the graphs of files are taken into a study.
-struct CorpusOptions {
-  ReadOptions reading = {};        ///< whether loops and parallel edges are dropped, too
-  bool largest_component = false;  ///< of each graph only its largest connected component
-  std::uint64_t sample = 0;        ///< so many of the graphs; 0: all
-  std::uint64_t sample_seed = 0;
-  bool skip = false;  ///< a file is read up to its first error and listed; else that is thrown
-  /// Files are held, and all that there are now stand behind them; one without a graph is skipped.
-  bool looks_again = false;
-};
-
-/// Describes files whose graphs are instances.
+/// Describes files whose graphs are instances, and how these are taken.
 struct GraphsEntry {
   std::string file;  ///< path or pattern (glob) of the specification; of a collection also a folder
   std::string name;  ///< empty: the file's own
   bool is_collection = false;  ///< all files together are one family
-  std::string groups;  ///< of a collection: path of a table file → group; empty: sub-folders
-  CorpusOptions options;
+  std::string groups;   ///< of a collection: path of a table file → group; empty: sub-folders
+  ReadOptions reading;  ///< whether loops and parallel edges are dropped, too
+  bool largest_component = false;  ///< of each graph only its largest connected component
+  std::uint64_t sample = 0;        ///< so many of the graphs; 0: all
+  std::uint64_t sample_seed = 0;   ///< the study's
+  bool skip = false;  ///< a file is read up to its first error and listed; else that is thrown
+  /// Files are held, and all that there are now stand behind them; one without a graph is skipped.
+  bool looks_again = false;
   std::vector<std::int64_t> shuffles = {0};  ///< numbers of the permutations of the labels; 0: none
   std::string location;                      ///< "FILE:LINE: " of the specification, for messages
 };

@@ -87,7 +87,7 @@ TEST(CompareSettings, AnOpenCellFollowsItsSetting) {
     return compare_settings(results, kPair);
   };
   const Comparison alike = with_noise(0, 1);
-  EXPECT_GT(std::exp(alike.cells.at(0).time.test.interval.high), 1.05) << "open by itself";
+  EXPECT_GT(std::exp(alike.cells.at(0).time.interval.high), 1.05) << "open by itself";
   EXPECT_EQ(alike.cells.at(0).verdict, Verdict::pass) << alike.cells.at(0).reason;
   EXPECT_EQ(alike.word(), "PASS");
   EXPECT_GT(alike.settings.at(0).visible_alone, 2 * alike.settings.at(0).visible);

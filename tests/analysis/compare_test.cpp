@@ -316,7 +316,7 @@ TEST(Compare, RoundsArePairsOfTheirSmallestTimes) {
   }
   const Comparison comparison = compare_rounds(base, now);
   EXPECT_EQ(told(comparison), "REGRESSED 3: 299 PASS, 1 REGRESSED");
-  EXPECT_EQ(comparison.cells.front().time.test.pairs, 20u);
+  EXPECT_EQ(comparison.cells.front().time.pairs, 20u);
   EXPECT_EQ(comparison.cells.front().verdict, Verdict::regressed);
   now[9].runs[50].extents[0] += 1;  // in one round only: the program is not deterministic any more
   EXPECT_EQ(compare_rounds(base, now).count(Verdict::regressed), 2u);
@@ -349,7 +349,7 @@ TEST(Compare, ATimeThatIsNoNumberIsToldAndLeftOut) {
     const Comparison comparison = compare(results_of(15, 1), now);
     EXPECT_EQ(comparison.exit_code(), 5) << bad;
     EXPECT_THAT(comparison.incomplete.at(0), HasSubstr("1 drawn measurements have no time"));
-    EXPECT_EQ(comparison.cells.front().time.test.pairs, 14u);
+    EXPECT_EQ(comparison.cells.front().time.pairs, 14u);
   }
 }
 

@@ -112,7 +112,7 @@ TEST_F(Files, LoopsAndParallelEdgesAreDroppedOnlyIfAsked) {
        "<edge source=\"c\" target=\"c\"/><edge source=\"c\" target=\"d\"/></graph></graphml>"},
       {"a.s6", ":C_u\n"},  // (0,1) (0,1) (2,2) (2,3)
   };
-  CorpusOptions simple;
+  GraphsEntry simple;
   simple.reading.simplify = true;
   for (const auto& [name, text] : texts) {
     const std::string path = scratch_.write(name, text);

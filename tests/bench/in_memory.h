@@ -2,8 +2,12 @@
 
 // Studies made in memory, without files.
 
+#include <unistd.h>
+
+#include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -22,6 +26,19 @@ struct Made {
   std::vector<EnvironmentEntry> notes;
 };
 
+/// These rows, read from a results file.
+inline Rows rows_of_a_file(const std::unordered_map<std::string, RunRecord>& finished) {
+  Results results;
+  results.spec_hash = content_hash("");
+  results.environment = {{"started", "now"}};
+  for (const auto& [key, run] : finished) results.runs.emplace_back(run).session = 0;
+  const std::string path = ::testing::TempDir() + "finished-" + std::to_string(getpid()) + ".h5";
+  write_results(results, path);
+  Rows rows(std::vector<std::string>{path});
+  std::filesystem::remove(path);
+  return rows;
+}
+
 /// All rows of a plan but the finished ones, each once.
 inline Made make(const StudyPlan& plan, const SessionPolicy& policy,
                  const std::unordered_map<std::string, RunRecord>& finished = {},
@@ -33,10 +50,8 @@ inline Made make(const StudyPlan& plan, const SessionPolicy& policy,
                  if (after_each) after_each();
                },
                [&](const EnvironmentEntry& entry) { made.notes.push_back(entry); }};
-  if (!finished.empty()) {
-    sink.has = [&](const std::string& key) { return finished.contains(key); };
-    sink.read = [&](const std::string& key) { return finished.at(key); };
-  }
+  std::optional<Rows> there;
+  if (!finished.empty()) sink.there = &there.emplace(rows_of_a_file(finished));
   run_session(plan, policy, sink);
   return made;
 }

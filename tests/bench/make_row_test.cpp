@@ -13,7 +13,7 @@ namespace ar3d::testing {
 namespace {
 
 std::vector<RunRecord> rows_of(const PlannedInstance& instance) {
-  RowMaker maker({});
+  RowMaker maker;
   maker.prepare(instance);
   std::vector<RunRecord> rows;
   for (const PlannedRun& run : instance.runs) rows.push_back(maker.make_row(run));
@@ -118,7 +118,7 @@ TEST(MakeRow, WarmsUpAndHashesTheDrawing) {
     return find_algorithm("diamond").draw(graph, options);
   });
   const PlannedInstance instance = cycle_of(12, {&counted});
-  RowMaker maker({.concurrency = 3, .core = 1});
+  RowMaker maker(MemoryScope::process, 3, 1);
   maker.prepare(instance);
   const RunRecord run = maker.make_row(instance.runs[0], {.warm_ups = 2, .write = true});
   EXPECT_EQ(drawings, 3);
@@ -133,7 +133,7 @@ TEST(MakeRow, WarmsUpAndHashesTheDrawing) {
 // A row that is not certified takes over the verdict of one that is, if it is the same drawing.
 TEST(MakeRow, TakesOverTheCertificateOfTheSameDrawingOnly) {
   const PlannedInstance instance = cycle_of(12, {&find_algorithm("diamond")}, 2);
-  RowMaker maker({});
+  RowMaker maker;
   maker.prepare(instance);
   const RunRecord certified = maker.make_row(instance.runs[0]);
   RunRecord run = maker.make_row(instance.runs[1], {.certify = false});
@@ -154,7 +154,7 @@ TEST(MakeRow, TheBisectionOfFirstInstancesIsSoughtUnlessTheRequestSaysNo) {
     PlannedInstance instance = cycle_of(1024, {&find_algorithm("compact")});
     instance.choice.family = &find_family("random-4-regular");
     instance.index = index;
-    RowMaker maker({});
+    RowMaker maker;
     maker.prepare(instance);
     const RunRecord row = maker.make_row(instance.runs[0], {.bisect = bisect});
     return column_number(run_column("volume_at_least"), row);
@@ -171,7 +171,7 @@ TEST(MakeRow, PeakMemoryIsTheRowsOwn) {
     return find_algorithm("diamond").draw(graph, options);
   });
   const PlannedInstance instance = cycle_of(12, {&large, &find_algorithm("diamond")});
-  RowMaker maker({.memory = MemoryScope::row});
+  RowMaker maker(MemoryScope::row);
   maker.prepare(instance);
   const RunRecord first = maker.make_row(instance.runs[0]);
   const RunRecord second = maker.make_row(instance.runs[1]);
@@ -192,7 +192,7 @@ TEST(MakeRow, PeakMemoryIsTheRowsOwn) {
 // What the kernel counts is positive; what it does not count is missing, never zero.
 TEST(MakeRow, CountersAreThereOrMissing) {
   const PlannedInstance instance = cycle_of(1000, {&find_algorithm("diamond")});
-  RowMaker maker({});
+  RowMaker maker;
   maker.prepare(instance);
   const RunRecord run = maker.make_row(instance.runs[0]);
   const std::string availability = HardwareCounters().availability();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -99,24 +100,22 @@ SegmentPair scaled(SegmentPair pair, int bits) {
 }
 
 /// The maps of one type over the pairs of segments of one kind: in one plane or nearly so for the
-/// whole window, or with two sides.
-struct WorstMap {
-  SignMap map;
-  std::uint64_t wrong = 0, of = 0;  ///< over all maps
-};
-
+/// whole window, or with two sides. @return the worst, and of all maps the wrong signs and all.
 template <class Number>
-WorstMap worst_map(const std::vector<SegmentPair>& pairs, int bits, std::int64_t step,
-                   bool is_divided, const std::string& title) {
-  WorstMap worst;
+std::tuple<SignMap, std::uint64_t, std::uint64_t> worst_map(const std::vector<SegmentPair>& pairs,
+                                                            int bits, std::int64_t step,
+                                                            bool is_divided,
+                                                            const std::string& title) {
+  SignMap worst;
+  std::uint64_t wrong = 0, all = 0;
   for (const SegmentPair& pair : pairs) {
     SignMap map = map_of<Number>(bits == 0 ? pair : scaled(pair, bits), step, title);
     if (map.is_divided() != is_divided) continue;
-    worst.wrong += map.wrong();
-    worst.of += map.exact.size();
-    if (worst.map.exact.empty() || map.wrong() > worst.map.wrong()) worst.map = std::move(map);
+    wrong += map.wrong();
+    all += map.exact.size();
+    if (worst.exact.empty() || map.wrong() > worst.wrong()) worst = std::move(map);
   }
-  return worst;
+  return {std::move(worst), wrong, all};
 }
 
 const char* colour(int exact, int seen) {
@@ -168,11 +167,11 @@ std::vector<SignMap> position_maps() {
     std::vector<std::string> row{
         type, bits == 0 ? "as drawn, steps of 1" : fmt::format("2^{}, steps of {}", bits, step)};
     for (const bool is_divided : {true, false}) {
-      WorstMap worst = worst_map<Number>(pairs, bits, step, is_divided,
-                                         type + (is_divided ? ", two sides" : ", one plane"));
-      row.push_back(rate(worst.wrong, worst.of));
-      row.push_back(fmt::format("{} of {}", worst.map.wrong(), worst.map.exact.size()));
-      if (worst.map.wrong() > 0) maps.push_back(std::move(worst.map));
+      auto [worst, wrong, all] = worst_map<Number>(
+          pairs, bits, step, is_divided, type + (is_divided ? ", two sides" : ", one plane"));
+      row.push_back(rate(wrong, all));
+      row.push_back(fmt::format("{} of {}", worst.wrong(), worst.exact.size()));
+      if (worst.wrong() > 0) maps.push_back(std::move(worst));
     }
     rows.push_back(std::move(row));
   };
