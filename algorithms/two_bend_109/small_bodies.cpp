@@ -2,7 +2,10 @@
 // something alive (case (d) of Lemma E.2). Found by least squares over turned tetrahedra, made
 // rational and proved by the verifier (tests/algorithms/two_bend_109_bodies_test.cpp): the tables
 // are data, not a construction. Cost: O(1), as a body has at most 7 vertices.
+#include <numeric>
+
 #include "ar3d/algorithms/two_bend_109/partition.h"
+#include "ar3d/model/isomorphism.h"
 
 namespace ar3d::two_bend_109 {
 
@@ -98,45 +101,14 @@ const std::vector<SmallBody>& small_bodies() {
   return bodies;
 }
 
-namespace {
-
-/// Extends a map of the body's vertices 0 ... map.size() - 1 to an isomorphism.
-bool extend(const std::vector<std::vector<bool>>& from, const std::vector<std::vector<bool>>& to,
-            std::vector<Vertex>& map) {
-  const std::size_t i = map.size();
-  if (i == from.size()) return true;
-  for (Vertex image = 0; image < to.size(); ++image) {
-    bool fits = true;
-    for (std::size_t j = 0; j < i && fits; ++j) {
-      fits = map[j] != image && from[i][j] == to[image][map[j]];
-    }
-    if (!fits) continue;
-    map.push_back(image);
-    if (extend(from, to, map)) return true;
-    map.pop_back();
-  }
-  return false;
-}
-
-std::vector<std::vector<bool>> empty_matrix(std::size_t n) {
-  return std::vector<std::vector<bool>>(n, std::vector<bool>(n));
-}
-
-}  // namespace
-
 std::pair<const SmallBody*, std::vector<Vertex>> find_body(const Graph& graph) {
-  const std::size_t n = graph.num_vertices();
-  if (n > 7) return {};
-  auto drawn = empty_matrix(n);
-  for (const Edge& e : graph.edges()) drawn[e.u][e.v] = drawn[e.v][e.u] = true;
   for (const SmallBody& body : small_bodies()) {
-    if (body.vertices.size() != n || body.links.size() != graph.num_edges()) continue;
-    auto linked = empty_matrix(n);
-    for (const SmallBody::BodyLink& link : body.links) {
-      linked[link.u][link.v] = linked[link.v][link.u] = true;
-    }
-    std::vector<Vertex> vertices;
-    if (extend(linked, drawn, vertices)) return {&body, std::move(vertices)};
+    std::vector<Edge> edges;
+    for (const SmallBody::BodyLink& link : body.links) edges.push_back({link.u, link.v});
+    std::vector<Vertex> order(body.vertices.size());
+    std::iota(order.begin(), order.end(), 0);
+    auto found = find_isomorphism(Graph(order.size(), std::move(edges)), graph, order);
+    if (found) return {&body, std::move(*found)};
   }
   return {};
 }

@@ -5,6 +5,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
+#include "ar3d/model/isomorphism.h"
 #include "support/graphs.h"
 #include "support/problem.h"
 
@@ -148,6 +149,17 @@ TEST(Graph, RelabelsAndFindsComponents) {
 
 TEST(Graph, GengDecodes) {
   EXPECT_EQ(geng("-c -d3 -D3 6").size(), 2u);  // K3,3 and the prism
+}
+
+TEST(Isomorphism, IsTheFirstMapThatKeepsEdges) {
+  const Graph path(3, {{0, 1}, {1, 2}}), other(3, {{0, 2}, {1, 2}}),
+      triangle(3, {{0, 1}, {0, 2}, {1, 2}});
+  const std::vector<Vertex> order = {1, 0, 2};
+  EXPECT_THAT(find_isomorphism(path, other, order), ::testing::Optional(ElementsAre(0, 2, 1)));
+  EXPECT_THAT(
+      find_isomorphism(path, other, order, [](Vertex v, Vertex w) { return v != 0 || w == 1; }),
+      ::testing::Optional(ElementsAre(1, 2, 0)));
+  EXPECT_EQ(find_isomorphism(path, triangle, order), std::nullopt);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ std::vector<RoutedBisection> route_bisection(
 
 /// The lattice points of the smallest box of a drawing of this graph with the guarantee's angles
 /// and directions and at most as many bends, vertices anywhere, if results/reference/optima.csv has
-/// it; else -1. Cost: O(n! m) up to seven vertices, else O(1).
+/// it; else -1. Cost: exponential up to seven vertices, else O(1).
 std::int64_t known_optimum(const Graph& graph, const Guarantee& guarantee);
 
 /// Says which points a connected drawing can use.
