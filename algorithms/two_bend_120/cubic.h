@@ -23,10 +23,6 @@ inline std::size_t slot_of(const std::array<EdgeId, 3>& edges, EdgeId edge) {
   return edges[0] == edge ? 0 : edges[1] == edge ? 1 : 2;
 }
 
-/// Step F.1: refuses graphs with a component that is not cubic or has a bridge.
-/// @throws InputError naming the first vertex of another degree, or a bridge. Cost: O(n) expected.
-void refuse_bridges(const Graph& graph);
-
 /// The graph that is left when triangles are contracted as long as that leaves it simple, and how
 /// to undo it. Nodes are the vertices of the input and, from n on, contracted triangles.
 struct Nests {

@@ -9,14 +9,13 @@
 namespace ar3d::two_bend_120 {
 namespace {
 
-enum class Outcome { done, bad_bottom, bad_top };
-
 class StNumbering {
  public:
   explicit StNumbering(const CubicGraph& graph)
       : graph_(graph), number_(graph.size()), previous_(graph.size()), next_(graph.size()) {}
 
-  Outcome number(Vertex bottom, Vertex top) {
+  /// @return the end that cuts others off, kNoVertex if neither does.
+  Vertex number(Vertex bottom, Vertex top) {
     number_.assign(graph_.size(), kNoVertex);
     found_.assign(2, {});
     found_[kBottom].vertex = bottom;
@@ -24,11 +23,11 @@ class StNumbering {
     mark(bottom, kBottom);
     mark(top, kTop);
     search(top);
-    if (found_.size() + 6 < graph_.size()) return Outcome::bad_bottom;
-    return insert() ? Outcome::done : Outcome::bad_top;
+    if (found_.size() + 6 < graph_.size()) return bottom;
+    return insert() ? kNoVertex : top;
   }
 
-  /// After Outcome::done.
+  /// If neither does.
   ForkOrder result() const {
     ForkOrder result;
     result.order.reserve(graph_.size());
@@ -161,14 +160,14 @@ std::optional<ForkOrder> find_numbering(const CubicGraph& graph,
     const std::vector<Vertex> near = around(graph, bottom);
     for (Vertex top = n; top-- > 0 && !bad[bottom];) {
       if (bad[top] || std::find(near.begin(), near.end(), top) != near.end()) continue;
-      const Outcome outcome = numbering.number(bottom, top);
-      if (outcome == Outcome::done) {
-        ForkOrder result = numbering.result();
-        if (accepts(result)) return result;
-        if (++refused == kMostRefused) return std::nullopt;
+      const Vertex cutting = numbering.number(bottom, top);
+      if (cutting != kNoVertex) {
+        bad[cutting] = true;
         continue;
       }
-      bad[outcome == Outcome::bad_bottom ? bottom : top] = true;
+      ForkOrder result = numbering.result();
+      if (accepts(result)) return result;
+      if (++refused == kMostRefused) return std::nullopt;
     }
   }
   return std::nullopt;

@@ -90,11 +90,7 @@ class NestedOrder {
   Vertex size_;
   GrowingTree dominators_;
   GrowingTree insertions_;  // of items: each below the one beside which it was inserted
-  struct Insertion {
-    std::uint32_t time = 0;
-    bool after = false;
-  };
-  std::vector<Insertion> inserted_;         // per item
+  std::vector<std::pair<std::uint32_t, bool>> inserted_;  // per item: when, and whether after
   std::vector<std::array<Item, 2>> links_;  // per item: the ones before and after it in its list
   std::vector<std::array<Item, 2>> ends_;   // per owner: the first and last item of its list
   std::vector<bool> reversed_;              // per splitter
@@ -164,12 +160,12 @@ void NestedOrder::insert(Vertex owner, Item item, Item beside, bool after) {
 /// of it, stands there, the later the nearer.
 bool NestedOrder::before(Item x, Item y) const {
   const auto [left, right] = insertions_.branches(x, y);
-  if (insertions_.parent(right) == left) return inserted_[right].after;
-  if (insertions_.parent(left) == right) return !inserted_[left].after;
-  const Insertion& one = inserted_[left];
-  const Insertion& other = inserted_[right];
-  if (one.after != other.after) return other.after;
-  return one.after == (one.time > other.time);
+  const auto [left_time, is_left_after] = inserted_[left];
+  const auto [right_time, is_right_after] = inserted_[right];
+  if (insertions_.parent(right) == left) return is_right_after;
+  if (insertions_.parent(left) == right) return !is_left_after;
+  if (is_left_after != is_right_after) return is_right_after;
+  return is_left_after == (left_time > right_time);
 }
 
 /// For every inner vertex: whether its first prong has the larger value, in a for a U and in b for

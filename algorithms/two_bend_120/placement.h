@@ -3,7 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/two_bend_120/numbering.h"
@@ -33,11 +34,9 @@ inline constexpr FourVector to_four(Direction d) {
 }
 
 /// A word of Lemma F.1: lengths of at most three segments, the first along `first`, the last along
-/// `last`, that sum to `sum`; nothing if there is none. If it is planar, the middle one has length 1.
-struct EdgeWord {
-  std::array<Direction, 3> directions{};
-  std::array<std::int64_t, 3> lengths{};  ///< 0, 0 and the length if it is straight
-};
+/// `last`, that sum to `sum`; nothing if there is none. If it is planar, the middle one has length
+/// 1; if it is straight, the first two have length 0.
+using EdgeWord = std::pair<std::array<Direction, 3>, std::array<std::int64_t, 3>>;
 EdgeWord find_word(Direction first, Direction last, const FourVector& sum);
 
 /// How far the drawing of a vertex may reach along its three edges, by slot (Lemma F.8).
@@ -56,19 +55,14 @@ ForkPlaces place(const CubicGraph& graph, const ForkOrder& numbering, const Orde
 
 /// A finished drawing with at most two bends per edge, along face diagonals.
 struct SmallCore {
-  struct CoreEdge {
-    Vertex u = 0, v = 0;
-    std::vector<Point> bends;  ///< from u to v
-  };
   std::vector<Point> at;
-  std::vector<CoreEdge> lines;
+  std::vector<std::tuple<Vertex, Vertex, std::vector<Point>>>
+      lines;  ///< bends from first to second
 };
 
-/// Lemma F.7: K4, K3,3, the Wagner graph and the Petersen graph, which have no numbering.
-std::span<const SmallCore> small_cores();
-
-/// The drawing of a connected graph from the table, its vertices and lines in the graph's names.
-/// @return nothing if it is not isomorphic to one of the table. O(1): at most ten vertices.
+/// Lemma F.7: the drawing of K4, K3,3, the Wagner graph or the Petersen graph, which have no
+/// numbering, its vertices and lines in the graph's names; nothing of another connected graph. O(1):
+/// at most ten vertices.
 std::optional<SmallCore> small_core_of(const CubicGraph& graph);
 
 }  // namespace ar3d::two_bend_120

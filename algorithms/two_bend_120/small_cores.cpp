@@ -1,8 +1,9 @@
 // Lemma F.7: the cores without a numbering. Their drawings were found by searches and are proved
 // right by the verifier in the tests, as all others are. Cost: O(1), a search among few labellings.
-#include <algorithm>
+#include <numeric>
 
 #include "ar3d/algorithms/two_bend_120/placement.h"
+#include "ar3d/model/isomorphism.h"
 
 namespace ar3d::two_bend_120 {
 namespace {
@@ -24,39 +25,29 @@ const std::vector<SmallCore>& table() {
 }
 // clang-format on
 
-bool adjacent(const CubicGraph& graph, Vertex u, Vertex v) {
-  return std::any_of(graph[u].begin(), graph[u].end(),
-                     [v](const HalfEdge& half) { return half.to == v; });
-}
-
-/// Extends the names of the first vertices of the drawing to all, by trial; false if that fails.
-bool extend(const SmallCore& small, const CubicGraph& graph, std::vector<Vertex>& names) {
-  if (names.size() == graph.size()) return true;
-  const auto next = static_cast<Vertex>(names.size());
-  for (Vertex name = 0; name < graph.size(); ++name) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    names.push_back(name);
-    const bool fits = std::all_of(small.lines.begin(), small.lines.end(), [&](const auto& line) {
-      return std::max(line.u, line.v) != next || adjacent(graph, names[line.u], names[line.v]);
-    });
-    if (fits && extend(small, graph, names)) return true;
-    names.pop_back();
-  }
-  return false;
-}
-
 }  // namespace
 
-std::span<const SmallCore> small_cores() { return table(); }
-
 std::optional<SmallCore> small_core_of(const CubicGraph& graph) {
-  for (const SmallCore& small : small_cores()) {
-    std::vector<Vertex> names;
-    if (small.at.size() != graph.size() || !extend(small, graph, names)) continue;
+  std::vector<Edge> edges;
+  for (Vertex v = 0; v < graph.size(); ++v) {
+    for (const HalfEdge& half : graph[v]) {
+      if (v < half.to) edges.push_back({v, half.to});
+    }
+  }
+  const Graph core(graph.size(), std::move(edges));
+  for (const SmallCore& small : table()) {
+    std::vector<Edge> drawn;
+    for (const auto& [u, v, bends] : small.lines) drawn.push_back({u, v});
+    std::vector<Vertex> order(small.at.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto names = find_isomorphism(Graph(order.size(), std::move(drawn)), core, order);
+    if (!names) continue;
     SmallCore result = small;
-    for (Vertex v = 0; v < names.size(); ++v) result.at[names[v]] = small.at[v];
-    for (SmallCore::CoreEdge& line : result.lines)
-      line = {names[line.u], names[line.v], line.bends};
+    for (const Vertex v : order) result.at[(*names)[v]] = small.at[v];
+    for (auto& [u, v, bends] : result.lines) {
+      u = (*names)[u];
+      v = (*names)[v];
+    }
     return result;
   }
   return std::nullopt;

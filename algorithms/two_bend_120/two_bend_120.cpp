@@ -5,15 +5,40 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/container/static_vector.hpp>
+#include <boost/graph/biconnected_components.hpp>
 
 #include "ar3d/algorithms/two_bend_120/placement.h"
 #include "ar3d/base/error.h"
+#include "ar3d/model/boost_graph.h"
 
 namespace ar3d::two_bend_120 {
 namespace {
 
 constexpr std::uint32_t kMostVertices = 1u << 29;  // coordinates are then below 2^60
+constexpr const char* kDraws =
+    "two-bend-120 draws graphs whose components are cubic and have no bridge";
+
+/// Step F.1: refuses graphs with a component that is not cubic or has a bridge, a biconnected
+/// component of one edge. @throws InputError naming the first vertex of another degree, or the first
+/// bridge. Cost: O(n).
+void refuse_bridges(const Graph& graph) {
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    if (graph.degree(v) == 3) continue;
+    throw InputError(fmt::format("{}, but vertex {} has degree {} (vertices count from 0)", kDraws,
+                                 v, graph.degree(v)));
+  }
+  std::vector<EdgeId> component(graph.num_edges());
+  std::vector<EdgeId> sizes(boost::biconnected_components(
+      graph, boost::make_iterator_property_map(component.begin(), get(boost::edge_index, graph))));
+  for (const EdgeId c : component) ++sizes[c];
+  const auto bridge = std::ranges::find_if(component, [&](EdgeId c) { return sizes[c] == 1; });
+  if (bridge == component.end()) return;
+  const Edge ends = graph.edge(static_cast<EdgeId>(bridge - component.begin()));
+  throw InputError(fmt::format("{}, but edge {} - {} is a bridge (vertices count from 0)", kDraws,
+                               ends.u, ends.v));
+}
 
 Vector grid_direction(Direction d) { return to_grid(to_four(d)); }
 
@@ -136,11 +161,12 @@ class Painter {
 
   /// @param from  the node at which the word begins.
   void set_word(EdgeId edge, Vertex from, const EdgeWord& word) {
+    const auto& [directions, lengths] = word;
     Bends bends;
     Point p = at_[from];
     for (std::size_t i = 0; i < 2; ++i) {
-      if (word.lengths[i] == 0) continue;
-      p = p + word.lengths[i] * grid_direction(word.directions[i]);
+      if (lengths[i] == 0) continue;
+      p = p + lengths[i] * grid_direction(directions[i]);
       bends.push_back(p);
     }
     set_bends(edge, from, bends);

@@ -10,6 +10,7 @@
 #include "ar3d/algorithms/two_bend_120/placement.h"
 #include "ar3d/base/random.h"
 #include "ar3d/generators/catalog.h"
+#include "verify/draft.h"
 
 namespace ar3d::two_bend_120 {
 namespace {
@@ -62,10 +63,10 @@ struct Ordered {
           const Direction last = -placement.stars[half.to][slot_of(graph[half.to], half.edge)];
           FourVector sum{};
           for (std::size_t i = 0; i < 4; ++i) sum[i] = to[i] - from[i];
-          const EdgeWord word = find_word(first, last, sum);
+          const auto [directions, lengths] = find_word(first, last, sum);
           for (std::size_t i = 0; i < 3; ++i) {
             for (std::size_t j = 0; j < 4; ++j) {
-              sum[j] -= word.lengths[i] * to_four(word.directions[i])[j];
+              sum[j] -= lengths[i] * to_four(directions[i])[j];
             }
           }
           if (sum != FourVector{}) return false;
@@ -158,20 +159,9 @@ TEST(TwoBend120Mutation, AVertexMovedToTheEndOfAnOrderLeavesEdgesWithoutWords) {
 
 TEST(TwoBend120Mutation, AMovedBendIsFound) {
   const Graph graph = generate(find_family("random-cubic"), 60, 2);
-  const Drawing drawing = draw(graph);
-  std::vector<Point> points;
-  auto bends = std::make_shared<StoredBends>();
-  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
-    drawing.polyline(e, points);
-    std::vector<Point> inner(points.begin() + 1, points.end() - 1);
-    if (e == 7) inner.at(0).z += 2;
-    bends->add_edge(inner);
-  }
-  Coordinates vertices(graph.num_vertices(), kMaxCoordinate);
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) vertices.set(v, drawing.vertex(v));
-  const Drawing broken("two-bend-120", kCubeLattice, std::move(vertices), graph.shared_edges(),
-                       bends);
-  EXPECT_FALSE(certify(graph, broken, row().guarantee).valid());
+  testing::Draft draft = testing::draft_of(draw(graph));
+  draft.edges[7].bends.at(0).z += 2;
+  EXPECT_FALSE(certify(graph, draft.drawing(), row().guarantee).valid());
 }
 
 TEST(TwoBend120Placement, MakesRoomForTriangles) {
