@@ -7,18 +7,14 @@
 #include <vector>
 
 #include "ar3d/model/drawing.h"
+#include "ar3d/model/vector3.h"
 
 namespace ar3d {
 
 using BigInteger = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                                  boost::multiprecision::et_off>;
 
-struct BigPoint {
-  BigInteger x;
-  BigInteger y;
-  BigInteger z;
-  friend bool operator==(const BigPoint&, const BigPoint&) = default;
-};
+using BigPoint = Vector3<BigInteger>;
 
 /// The points of a drawing that was made in a real type. Every finite binary floating-point number
 /// is a dyadic rational, so nothing is rounded here: a coordinate is an integer times

@@ -68,7 +68,7 @@ Drawing DrawingBuilder::finish() {
   std::int64_t largest = 0;
   const auto add = [&](const SkewPoint& p) {
     skew.add({p.x, p.y, p.z});
-    const Point c = p.cartesian();
+    const Point c = cartesian(p);
     largest = std::max({largest, std::abs(c.x), std::abs(c.y), std::abs(c.z)});
     return c;
   };
@@ -81,7 +81,7 @@ Drawing DrawingBuilder::finish() {
   }
   for (const SkewPoint& p : at_) add(p);
   Coordinates vertices(at_.size(), largest);
-  for (Vertex v = 0; v < at_.size(); ++v) vertices.set(v, at_[v].cartesian());
+  for (Vertex v = 0; v < at_.size(); ++v) vertices.set(v, cartesian(at_[v]));
   Drawing drawing("grid-paper", kCubeLattice, std::move(vertices), graph_.shared_edges(),
                   std::move(bends));
   const auto [x, y, z] = skew.box().extents();

@@ -10,6 +10,7 @@
 #include "ar3d/algorithms/grid_paper/grid_paper.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
+#include "ar3d/model/vector3.h"
 
 namespace ar3d::grid_paper {
 
@@ -61,12 +62,8 @@ FlatCycle draw_flat_cycle(const std::vector<std::int64_t>& x, Spread spread, std
 
 /// x e_X + y e_Y + z e_Z with e_X = (0,1,1), e_Y = (1,1,0), e_Z = (1,0,1): x a vertical plane, z a
 /// horizontal one, y to the right.
-struct SkewPoint {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
-  std::int64_t z = 0;
-  Point cartesian() const { return {y + z, x + y, x + z}; }
-};
+using SkewPoint = Vector3<std::int64_t>;
+inline Point cartesian(const SkewPoint& p) { return {p.y + p.z, p.x + p.y, p.x + p.z}; }
 
 /// Holds how often the cases of the construction occur; counters of the drawing.
 struct CaseCensus {

@@ -12,6 +12,7 @@
 
 #include "ar3d/algorithms/two_bend_paper/general_position.h"
 #include "ar3d/algorithms/two_bend_paper/growth.h"
+#include "ar3d/model/vector3.h"
 
 namespace ar3d::two_bend_paper {
 
@@ -58,34 +59,6 @@ T square_root(const T& value) {
   } else {
     return boost::multiprecision::sqrt(value);
   }
-}
-
-template <class T>
-struct Vector3 {
-  T x{};
-  T y{};
-  T z{};
-
-  friend Vector3 operator+(const Vector3& a, const Vector3& b) {
-    return {T(a.x + b.x), T(a.y + b.y), T(a.z + b.z)};
-  }
-  friend Vector3 operator-(const Vector3& a, const Vector3& b) {
-    return {T(a.x - b.x), T(a.y - b.y), T(a.z - b.z)};
-  }
-  friend Vector3 operator-(const Vector3& a) { return {T(-a.x), T(-a.y), T(-a.z)}; }
-  friend Vector3 operator*(const T& k, const Vector3& a) {
-    return {T(k * a.x), T(k * a.y), T(k * a.z)};
-  }
-};
-
-template <class T>
-T dot(const Vector3<T>& a, const Vector3<T>& b) {
-  return T(a.x * b.x + a.y * b.y + a.z * b.z);
-}
-
-template <class T>
-Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
-  return {T(a.y * b.z - a.z * b.y), T(a.z * b.x - a.x * b.z), T(a.x * b.y - a.y * b.x)};
 }
 
 template <class T>

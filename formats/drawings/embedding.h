@@ -4,19 +4,11 @@
 #include <cmath>
 
 #include "ar3d/model/lattice.h"
+#include "ar3d/model/vector3.h"
 
 namespace ar3d {
 
-struct Real3 {
-  double x = 0, y = 0, z = 0;
-};
-inline Real3 operator+(Real3 a, Real3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Real3 operator-(Real3 a, Real3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Real3 operator*(double k, Real3 a) { return {k * a.x, k * a.y, k * a.z}; }
-inline double dot(Real3 a, Real3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Real3 cross(Real3 a, Real3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using Real3 = Vector3<double>;
 inline double length(Real3 a) { return std::sqrt(dot(a, a)); }
 
 /// From lattice coordinates to space: squared Euclidean lengths there are the lattice's squared

@@ -8,25 +8,21 @@
 #include <numbers>
 
 #include "ar3d/base/error.h"
-#include "ar3d/formats/drawings/embedding.h"
 
 namespace ar3d {
 namespace {
 
-using PaperPoint = Projection::PaperPoint;
 using PaintedItem = Projection::PaintedItem;
 
 constexpr std::size_t kMaxSegments = 20000;
 constexpr double kMargin = 24;
 constexpr double kBallToStroke = 1.7;
 
-/// A point on the picture. `near` is larger for nearer points and linear along projected segments.
-struct PicturePoint {
-  PaperPoint at;
-  double near = 0;
-};
+/// A point on the picture: x to the right, y down; z is larger for nearer points and linear along
+/// projected segments.
+using PicturePoint = Real3;
 
-/// Picture coordinates before scaling: x to the right, y down.
+/// Picture coordinates before scaling.
 class Camera {
  public:
   Camera(const Drawing& drawing, const ExportOptions& view)
@@ -53,15 +49,15 @@ class Camera {
     const double away = -q.x * std::sin(turn_) + q.y * std::cos(turn_);
     const double down = -(away * std::cos(tilt_) + q.z * std::sin(tilt_));
     const double towards = q.z * std::cos(tilt_) - away * std::sin(tilt_);
-    if (!eye_) return {{right, down}, towards};
+    if (!eye_) return {right, down, towards};
     if (towards >= 0.98 * *eye_) {
       throw InputError("the eye of the perspective is in the drawing; --perspective 2 is outside");
     }
     const double scale = *eye_ / (*eye_ - towards);
-    return {{right * scale, down * scale}, scale};
+    return {right * scale, down * scale, scale};
   }
   /// Size on the picture of what has size 1 at a spot.
-  double scale(const PicturePoint& spot) const { return eye_ ? spot.near : 1; }
+  double scale(const PicturePoint& spot) const { return eye_ ? spot.z : 1; }
 
  private:
   Embedding embed_;
@@ -84,11 +80,8 @@ struct PictureSegment {
 
   static constexpr Vertex kNoVertex = std::numeric_limits<Vertex>::max();
 
-  PicturePoint at(double t) const {
-    return {{a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y)},
-            a.near + t * (b.near - a.near)};
-  }
-  double length() const { return std::hypot(b.at.x - a.at.x, b.at.y - a.at.y); }
+  PicturePoint at(double t) const { return a + t * (b - a); }
+  double length() const { return std::hypot(b.x - a.x, b.y - a.y); }
   bool joins(const PictureSegment& other) const {
     const auto shared = [](Vertex v, Vertex w) { return v != kNoVertex && v == w; };
     return (edge == other.edge) || shared(from_vertex, other.from_vertex) ||
@@ -123,16 +116,16 @@ std::vector<PictureSegment> collect(const Drawing& drawing, const Camera& camera
 /// Cuts the farther of two segments where they cross on the picture. `clear` is the distance that
 /// must stay free beside the nearer one.
 void cut_farther(PictureSegment& s, PictureSegment& t, double clear) {
-  const double sx = s.b.at.x - s.a.at.x, sy = s.b.at.y - s.a.at.y;
-  const double tx = t.b.at.x - t.a.at.x, ty = t.b.at.y - t.a.at.y;
+  const double sx = s.b.x - s.a.x, sy = s.b.y - s.a.y;
+  const double tx = t.b.x - t.a.x, ty = t.b.y - t.a.y;
   const double across = sx * ty - sy * tx;
   const double lengths = s.length() * t.length();
   if (std::abs(across) <= 1e-9 * lengths || s.joins(t)) return;
-  const double dx = t.a.at.x - s.a.at.x, dy = t.a.at.y - s.a.at.y;
+  const double dx = t.a.x - s.a.x, dy = t.a.y - s.a.y;
   const double on_s = (dx * ty - dy * tx) / across;
   const double on_t = (dx * sy - dy * sx) / across;
   if (on_s <= 0 || on_s >= 1 || on_t <= 0 || on_t >= 1) return;
-  const bool s_is_farther = s.at(on_s).near < t.at(on_t).near;
+  const bool s_is_farther = s.at(on_s).z < t.at(on_t).z;
   PictureSegment& farther = s_is_farther ? s : t;
   const double half = std::min(clear * lengths / std::abs(across), 6 * clear) / farther.length();
   const double middle = s_is_farther ? on_s : on_t;
@@ -140,8 +133,8 @@ void cut_farther(PictureSegment& s, PictureSegment& t, double clear) {
 }
 
 void cut_crossings(std::vector<PictureSegment>& segments, double clear) {
-  const auto left = [](const PictureSegment& s) { return std::min(s.a.at.x, s.b.at.x); };
-  const auto right = [](const PictureSegment& s) { return std::max(s.a.at.x, s.b.at.x); };
+  const auto left = [](const PictureSegment& s) { return std::min(s.a.x, s.b.x); };
+  const auto right = [](const PictureSegment& s) { return std::max(s.a.x, s.b.x); };
   std::vector<std::size_t> order(segments.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
@@ -161,9 +154,9 @@ void split_at_balls(std::vector<PictureSegment>& segments, const std::vector<Pic
   for (PictureSegment& s : segments) {
     const double length = s.length();
     if (length <= 0) continue;
-    const double ux = (s.b.at.x - s.a.at.x) / length, uy = (s.b.at.y - s.a.at.y) / length;
+    const double ux = (s.b.x - s.a.x) / length, uy = (s.b.y - s.a.y) / length;
     for (const PicturePoint& ball : balls) {
-      const double dx = ball.at.x - s.a.at.x, dy = ball.at.y - s.a.at.y;
+      const double dx = ball.x - s.a.x, dy = ball.y - s.a.y;
       const double reach = radius * camera.scale(ball);
       const double off = std::abs(dx * uy - dy * ux);
       const double along = dx * ux + dy * uy;
@@ -192,8 +185,7 @@ void append_pieces(const PictureSegment& s, const Camera& camera, std::vector<Pa
     });
     if (hidden || (cuts[i] - cuts[i - 1]) * s.length() < 1e-9) continue;
     const PicturePoint spot = s.at(middle);
-    items.push_back(
-        {s.at(cuts[i - 1]).at, s.at(cuts[i]).at, s.role, spot.near, 0, camera.scale(spot)});
+    items.push_back({s.at(cuts[i - 1]), s.at(cuts[i]), s.role, spot.z, 0, camera.scale(spot)});
   }
 }
 
@@ -209,9 +201,9 @@ PictureFrame frame_of(const std::vector<PictureSegment>& segments,
   }
   if (spots.empty()) return {};
   PicturePoint low = spots[0], high = spots[0];
-  for (const auto& [at, near] : spots) {
-    low = {{std::min(low.at.x, at.x), std::min(low.at.y, at.y)}, std::min(low.near, near)};
-    high = {{std::max(high.at.x, at.x), std::max(high.at.y, at.y)}, std::max(high.near, near)};
+  for (const auto& [x, y, z] : spots) {
+    low = {std::min(low.x, x), std::min(low.y, y), std::min(low.z, z)};
+    high = {std::max(high.x, x), std::max(high.y, y), std::max(high.z, z)};
   }
   return {low, high};
 }
@@ -219,14 +211,14 @@ PictureFrame frame_of(const std::vector<PictureSegment>& segments,
 /// From the drawing's units to those of the picture.
 void place_on_paper(Projection& picture, const PictureFrame& frame, double scale) {
   const auto& low = frame.first;
-  const double depth = std::max(frame.second.near - low.near, 1e-9);
-  const auto placed = [&low, scale](PaperPoint p) {
-    return PaperPoint{kMargin + (p.x - low.at.x) * scale, kMargin + (p.y - low.at.y) * scale};
+  const double depth = std::max(frame.second.z - low.z, 1e-9);
+  const auto placed = [&low, scale](PicturePoint p) {
+    return PicturePoint{kMargin + (p.x - low.x) * scale, kMargin + (p.y - low.y) * scale, p.z};
   };
   for (PaintedItem& item : picture.items) {
     item.from = placed(item.from);
     item.to = placed(item.to);
-    item.nearness = std::clamp((item.depth - low.near) / depth, 0.0, 1.0);
+    item.nearness = std::clamp((item.depth - low.z) / depth, 0.0, 1.0);
   }
   std::stable_sort(picture.items.begin(), picture.items.end(),
                    [](const PaintedItem& a, const PaintedItem& b) { return a.depth < b.depth; });
@@ -243,7 +235,7 @@ Projection project(const Drawing& drawing, const ExportOptions& view, std::strin
   }
   const PictureFrame frame = frame_of(segments, balls);
   const auto& [low, high] = frame;
-  const double width = high.at.x - low.at.x, height = high.at.y - low.at.y;
+  const double width = high.x - low.x, height = high.y - low.y;
   const double span = std::max({width, height, 1e-9});
   const double scale = (view.longer_side - 2 * kMargin) / span;
   Projection picture;
@@ -259,8 +251,8 @@ Projection project(const Drawing& drawing, const ExportOptions& view, std::strin
     const PicturePoint& ball = balls[v];
     // In front of the strokes that end at it.
     const double front =
-        (high.near - low.near) * 1e-6 + picture.ball / scale * (view.perspective > 0 ? 0 : 1);
-    picture.items.push_back({ball.at, ball.at, -1, ball.near + front, 0, camera.scale(ball), v});
+        (high.z - low.z) * 1e-6 + picture.ball / scale * (view.perspective > 0 ? 0 : 1);
+    picture.items.push_back({ball, ball, -1, ball.z + front, 0, camera.scale(ball), v});
   }
   place_on_paper(picture, frame, scale);
   return picture;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ar3d/formats/drawings/edge_roles.h"
+#include "ar3d/formats/drawings/embedding.h"
 #include "ar3d/model/drawing.h"
 
 namespace ar3d {
@@ -23,13 +24,9 @@ struct ExportOptions {
 /// A drawing on paper: straight strokes and balls, to be painted in their order. Where two segments
 /// cross in the projection, the farther one has a gap.
 struct Projection {
-  struct PaperPoint {
-    double x = 0;
-    double y = 0;  ///< downwards
-  };
   struct PaintedItem {
-    PaperPoint from;
-    PaperPoint to;        ///< of a ball: from
+    Real3 from;           ///< x and y, downwards
+    Real3 to;             ///< of a ball: from
     int role = 0;         ///< of the stroke's edge; -1: a ball
     double depth = 0;     ///< larger is nearer
     double nearness = 0;  ///< 0 (farthest) to 1 (nearest)

@@ -51,14 +51,12 @@ TEST(Projection, TheFartherEdgeHasAGapWhereTwoCross) {
   for (const double perspective : {0.0, 3.0}) {
     const ExportOptions above{.turn_degrees = 0, .tilt_degrees = 0, .perspective = perspective};
     const Projection picture = project(two_edges(), above, "svg");
-    const Projection::PaperPoint centre = {picture.width / 2, picture.height / 2};
+    const Real3 centre = {picture.width / 2, picture.height / 2, 0};
     double nearest_free = 1e9;  // end of a stroke of the lower edge next to the crossing
     std::size_t through = 0;
     for (const Projection::PaintedItem& item : picture.items) {
       if (item.role < 0) continue;
-      const auto away = [&](Projection::PaperPoint p) {
-        return std::hypot(p.x - centre.x, p.y - centre.y);
-      };
+      const auto away = [&](Real3 p) { return std::hypot(p.x - centre.x, p.y - centre.y); };
       const double length = std::hypot(item.to.x - item.from.x, item.to.y - item.from.y);
       if (std::abs(away(item.from) + away(item.to) - length) < 1e-6) {
         ++through;  // the upper edge's, whole

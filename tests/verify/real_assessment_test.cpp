@@ -57,7 +57,7 @@ TEST(RealAssessment, TinyMissesKeepTheirRelativeAccuracy) {
     };
     const BigVector u{perturbed(1), perturbed(-1), perturbed(0)};
     const BigVector v{perturbed(0), perturbed(1), perturbed(-1)};
-    const Exact a(verify::dot(u, v)), b(verify::dot(u, u)), c(verify::dot(v, v));
+    const Exact a(dot(u, v)), b(dot(u, u)), c(dot(v, v));
     const Exact angle = acos(a / sqrt(b * c));
     const Exact wanted = (acos(Exact(-1) / 2) - angle) * 180 / acos(Exact(-1));
     const auto expected = static_cast<double>(wanted);

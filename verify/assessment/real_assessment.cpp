@@ -33,8 +33,8 @@ struct Leg {
   bool from_its_end = false;
 
   BigVector direction() const {
-    const BigVector d = verify::difference(segment->to, segment->from);
-    return from_its_end ? verify::negated(d) : d;
+    const BigVector d = segment->to - segment->from;
+    return from_its_end ? -d : d;
   }
 };
 

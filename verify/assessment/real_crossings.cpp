@@ -20,7 +20,7 @@ bool between(const BigInteger& value, const BigInteger& a, const BigInteger& b) 
 
 bool on_segment(const BigPoint& p, const BigPoint& a, const BigPoint& b) {
   return between(p.x, a.x, b.x) && between(p.y, a.y, b.y) && between(p.z, a.z, b.z) &&
-         is_zero(cross(difference(p, a), difference(b, a)));
+         cross(p - a, b - a) == BigVector{};
 }
 
 meeting::Triple<BigInteger> triple(const BigPoint& p) { return {p.x, p.y, p.z}; }
@@ -54,10 +54,10 @@ std::optional<std::pair<bool, bool>> joint(const Graph& graph,
 
 /// From a common end two segments of positive length share more exactly if they run the same way.
 bool overlap_from(std::pair<bool, bool> at, const RealSegment& s, const RealSegment& t) {
-  BigVector u = difference(s.to, s.from), v = difference(t.to, t.from);
-  if (at.first) u = negated(u);
-  if (at.second) v = negated(v);
-  return dot(u, v) > 0 && is_zero(cross(u, v));
+  BigVector u = s.to - s.from, v = t.to - t.from;
+  if (at.first) u = -u;
+  if (at.second) v = -v;
+  return dot(u, v) > 0 && cross(u, v) == BigVector{};
 }
 
 /// A segment in doubles, for the filter: its box is widened by the rounding.

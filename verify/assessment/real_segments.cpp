@@ -6,20 +6,6 @@
 
 namespace ar3d::verify {
 
-BigVector difference(const BigPoint& to, const BigPoint& from) {
-  return {to.x - from.x, to.y - from.y, to.z - from.z};
-}
-
-BigVector negated(const BigVector& v) { return {-v.x, -v.y, -v.z}; }
-
-BigInteger dot(const BigVector& u, const BigVector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-
-BigVector cross(const BigVector& u, const BigVector& v) {
-  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-}
-
-bool is_zero(const BigVector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-
 double rounded(const BigInteger& value, int shift) {
   if (value == 0) return 0;
   const BigInteger size = abs(value);

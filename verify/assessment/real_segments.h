@@ -12,12 +12,6 @@ namespace ar3d::verify {
 /// A difference of points, in units.
 using BigVector = BigPoint;
 
-BigVector difference(const BigPoint& to, const BigPoint& from);
-BigVector negated(const BigVector& v);
-BigInteger dot(const BigVector& u, const BigVector& v);
-BigVector cross(const BigVector& u, const BigVector& v);
-bool is_zero(const BigVector& v);
-
 /// A point rounded to doubles, each to within 2^-53 of its value.
 using RoundedPoint = std::array<double, 3>;
 /// The point scaled by 2^shift, coordinate by coordinate.

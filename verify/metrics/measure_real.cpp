@@ -15,10 +15,7 @@ namespace ar3d::verify {
 namespace {
 
 /// The graph that is drawn, and its points in the order of that graph's edges.
-struct Drawn {
-  Graph graph;
-  RealPoints points;
-};
+using Drawn = std::pair<Graph, RealPoints>;
 
 /// A file may list edges in any order and direction; a Graph has its own.
 Drawn drawn_by(const Drawing& drawing) {
@@ -79,29 +76,30 @@ bool round_box(const RealPoints& points, BigInteger BigPoint::*axis, std::int64_
 }
 
 double length_of(const BigPoint& a, const BigPoint& b, int unit_exponent) {
-  const RoundedPoint d = rounded(difference(b, a), unit_exponent);
+  const RoundedPoint d = rounded(b - a, unit_exponent);
   return std::hypot(d[0], d[1], d[2]);
 }
 
 DrawingSummary summary_of(const Drawn& drawn) {
+  const auto& [graph, points] = drawn;
   DrawingSummary summary;
-  summary.in_range = round_box(drawn.points, &BigPoint::x, &Point::x, summary.box) &&
-                     round_box(drawn.points, &BigPoint::y, &Point::y, summary.box) &&
-                     round_box(drawn.points, &BigPoint::z, &Point::z, summary.box);
-  auto found = std::make_shared<RealAssessment>(assess(drawn.graph, drawn.points));
+  summary.in_range = round_box(points, &BigPoint::x, &Point::x, summary.box) &&
+                     round_box(points, &BigPoint::y, &Point::y, summary.box) &&
+                     round_box(points, &BigPoint::z, &Point::z, summary.box);
+  auto found = std::make_shared<RealAssessment>(assess(graph, points));
   summary.bend_histogram = found->bend_histogram;
   summary.segments = found->segments;
   summary.repeated_points = found->collapsed;
   summary.total_edge_length = summary.longest_edge_length = 0;
-  for (EdgeId e = 0; e < drawn.graph.num_edges(); ++e) {
-    const Edge ends = drawn.graph.edge(e);
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    const Edge ends = graph.edge(e);
     double length = 0;
-    const BigPoint* from = &drawn.points.vertices[ends.u];
-    for (const BigPoint& bend : drawn.points.bends_of(e)) {
-      length += length_of(*from, bend, drawn.points.unit_exponent);
+    const BigPoint* from = &points.vertices[ends.u];
+    for (const BigPoint& bend : points.bends_of(e)) {
+      length += length_of(*from, bend, points.unit_exponent);
       from = &bend;
     }
-    length += length_of(*from, drawn.points.vertices[ends.v], drawn.points.unit_exponent);
+    length += length_of(*from, points.vertices[ends.v], points.unit_exponent);
     summary.total_edge_length += length;
     summary.longest_edge_length = std::max(summary.longest_edge_length, length);
   }
