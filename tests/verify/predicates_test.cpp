@@ -10,6 +10,7 @@
 
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 #include "ar3d/base/random.h"
+#include "ar3d/verify/crossings/near_pairs.h"
 #include "ar3d/verify/predicates/choices.h"
 #include "ar3d/verify/predicates/exact.h"
 #include "ar3d/verify/predicates/widths.h"
@@ -281,7 +282,7 @@ TEST(Filters, DecideOnlyWhatTheirErrorAllows) {
       ASSERT_FALSE(order.has_value());
     }
     const auto [a, b, c, d] = near_meeting(random, bits);
-    if (a == b || c == d || !surely_apart(a, b, c, d)) continue;
+    if (a == b || c == d || !surely_skew({a, b - a}, {c, d - c})) continue;
     ++apart;
     ASSERT_EQ(meeting_kind_in(IntegerWidth::int256, a, b, c, d), MeetingKind::nothing);
   }

@@ -89,60 +89,39 @@ std::optional<MeetingCounts> meetings_upwards(const std::vector<SlantedSegment>&
   return counts;
 }
 
-/// Pairs that meet, which are found again in every cell that they share.
-class MeetingPairs {
- public:
-  explicit MeetingPairs(std::size_t segments) : most_(kMostPerSegment * segments + 1000) {}
-
-  void add(std::uint32_t i, std::uint32_t j, MeetingKind kind) {
-    if (too_many_) return;
-    pairs_.emplace_back(std::min(i, j), std::max(i, j), kind);
-    if (pairs_.size() < 2 * most_) return;
-    drop_repeated();
-    too_many_ = pairs_.size() >= most_;
-  }
-  bool too_many() const { return too_many_; }
-  /// Nothing if there are more than a right drawing can have: neighbours in at most 3 bends and
-  /// vertices at either end.
-  std::optional<MeetingCounts> counts() {
-    if (too_many_) return std::nullopt;
-    drop_repeated();
-    MeetingCounts counts;
-    for (const auto& [low, high, kind] : pairs_) counts += counts_of(kind);
-    return counts;
-  }
-
- private:
-  static constexpr std::size_t kMostPerSegment = 8;
-  using Pair = std::tuple<std::uint32_t, std::uint32_t, MeetingKind>;  // the lower number first
-
-  void drop_repeated() {
-    std::sort(pairs_.begin(), pairs_.end());
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-  }
-
-  std::size_t most_;
-  std::vector<Pair> pairs_;
-  bool too_many_ = false;
-};
-
-/// Steps V.12 to V.14.
+/// Steps V.12 to V.14. Pairs that meet are found again in every cell that they share.
+/// @return nothing if there are more than a right drawing can have: neighbours in at most 3 bends
+/// and vertices at either end.
 std::optional<MeetingCounts> meetings_by_halving(const std::vector<SlantedSegment>& segments,
                                                  IntegerWidth width) {
-  MeetingPairs pairs(segments.size());
+  const std::size_t most = 8 * segments.size() + 1000;
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, MeetingKind>> pairs;  // the lower one first
+  const auto drop_repeated = [&] {
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  };
   const auto at = [&](std::uint32_t i) {
     const SlantedSegment& s = segments[i];
     return SegmentInSpace{from(s), {s.dx, s.dy, s.dz}};
   };
+  bool too_many = false;
   const auto visit = [&](std::uint32_t i, std::uint32_t j) {
     const SlantedSegment& s = segments[i];
     const SlantedSegment& t = segments[j];
     const MeetingKind kind = meeting_kind_in(width, from(s), to(s), from(t), to(t));
-    if (kind != MeetingKind::nothing) pairs.add(i, j, kind);
-    return !pairs.too_many();
+    if (kind == MeetingKind::nothing) return true;
+    pairs.emplace_back(std::min(i, j), std::max(i, j), kind);
+    if (pairs.size() < 2 * most) return true;
+    drop_repeated();
+    too_many = pairs.size() >= most;
+    return !too_many;
   };
   for_each_near_pair(static_cast<std::uint32_t>(segments.size()), at, visit);
-  return pairs.counts();
+  if (too_many) return std::nullopt;
+  drop_repeated();
+  MeetingCounts counts;
+  for (const auto& [low, high, kind] : pairs) counts += counts_of(kind);
+  return counts;
 }
 
 }  // namespace

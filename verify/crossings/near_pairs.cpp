@@ -113,10 +113,10 @@ Cut best_cut(std::array<std::vector<Reached>, 3>& sample) {
     auto& list = sample[axis];
     const auto median = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
     std::nth_element(list.begin(), median, list.end(),
-                     [](const Reached& a, const Reached& b) { return a.middle < b.middle; });
-    const double place = std::floor(median->middle);
+                     [](const Reached& a, const Reached& b) { return a[1] < b[1]; });
+    const double place = std::floor((*median)[1]);
     const auto cuts = std::count_if(list.begin(), list.end(), [place](const Reached& piece) {
-      return piece.low <= place && place <= piece.high;
+      return piece[0] <= place && place <= piece[2];
     });
     if (axis > 0 && cuts >= fewest) continue;
     fewest = cuts;

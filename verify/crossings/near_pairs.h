@@ -74,12 +74,8 @@ using Cut = std::pair<std::size_t, std::int64_t>;
 using Shifts = std::array<unsigned, 3>;
 Shifts shifts_for(const Box& box);
 
-/// Holds where a piece lies along an axis.
-struct Reached {
-  double low;
-  double middle;
-  double high;
-};
+/// Where a piece lies along an axis: from low over the middle to high.
+using Reached = std::array<double, 3>;
 /// The plane through the median of the pieces' middles, on the axis where it cuts fewest of them.
 /// @param sample  some pieces of a cell, by axis; at least one.
 Cut best_cut(std::array<std::vector<Reached>, 3>& sample);

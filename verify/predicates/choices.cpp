@@ -9,6 +9,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/ieee_arithmetic.h"
 #include "ar3d/model/cosine_comparison.h"
+#include "ar3d/verify/crossings/near_pairs.h"
 #include "ar3d/verify/predicates/exact.h"
 #include "ar3d/verify/predicates/widths.h"
 
@@ -71,7 +72,7 @@ MeetingKind exact_meeting(Point a, Point b, Point c, Point d) {
 }
 
 MeetingKind filtered_or_exact_meeting(Point a, Point b, Point c, Point d) {
-  return surely_apart(a, b, c, d) ? MeetingKind::nothing : exact_meeting(a, b, c, d);
+  return surely_skew({a, b - a}, {c, d - c}) ? MeetingKind::nothing : exact_meeting(a, b, c, d);
 }
 
 }  // namespace
@@ -99,23 +100,6 @@ std::optional<std::strong_ordering> filtered_angle(const Lattice& lattice, Point
   if (std::abs(left - right) <= error) return std::nullopt;
   const auto order = left < right ? std::strong_ordering::less : std::strong_ordering::greater;
   return found >= 0 ? order : 0 <=> order;
-}
-
-/// The determinant is off by less than 12 * 2^-53 of the sum of its terms' sizes.
-bool surely_apart(Point a, Point b, Point c, Point d) {
-  for (const Point& p : {a, b, c, d}) {
-    if (!is_exact_double(p)) return false;
-  }
-  const auto [u, w] = directions<double>(b, a, c);
-  const Triple<double> v =
-      meeting::difference(meeting::converted<double>(d), meeting::converted<double>(c));
-  double determinant = 0, terms = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    determinant += w[i] * (u[j] * v[k] - u[k] * v[j]);
-    terms += std::abs(w[i]) * (std::abs(u[j] * v[k]) + std::abs(u[k] * v[j]));
-  }
-  return std::abs(determinant) > 0x1p-48 * terms;
 }
 
 const std::vector<PredicateChoice>& predicate_choices() {

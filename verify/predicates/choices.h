@@ -27,7 +27,7 @@ struct PredicateChoice {
 
 /// float, double and long double: the formulas of compare_cosine() and meeting_kind(). cosine: the
 /// textbook's <u,v> / (|u| |v|) against c in double, meetings as double. filtered: double, if a
-/// bound of its error decides, else exact. int64, int128: undefined where the range check does not
+/// bound of its error decides (filtered_angle, surely_skew), else exact. int64, int128: undefined where the range check does not
 /// prove them. int1024: exact for all drawings.
 const std::vector<PredicateChoice>& predicate_choices();
 /// @throws InternalError if there is none of that name.
@@ -37,8 +37,6 @@ const PredicateChoice& predicate_choice(const std::string& name);
 /// is exactly arccos(c) is never decided.
 std::optional<std::strong_ordering> filtered_angle(const Lattice& lattice, Point from, Point at,
                                                    Point to, Cosine c);
-/// True only if the four points are not in one plane, so that the segments do not meet.
-bool surely_apart(Point a, Point b, Point c, Point d);
 
 /// Returns how the floating-point arithmetic of these predicates departs from IEEE 754, as
 /// arithmetic_departures() (base/ieee_arithmetic.h) finds; empty if it does not.

@@ -71,7 +71,6 @@ bool on_segment(Point p, Point a, Point b) {
 }
 
 IntegerWidth width_of_bits(int bits) {
-  if (WidestIntegers::wanted()) return IntegerWidth::int256;
   if (bits <= kInt64Bits) return IntegerWidth::int64;
   return bits <= kInt128Bits ? IntegerWidth::int128 : IntegerWidth::int256;
 }

@@ -2,14 +2,11 @@
 #include "ar3d/verify/predicates/widths.h"
 
 #include <algorithm>
-#include <atomic>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdlib>
 
 namespace ar3d::verify {
 namespace {
-
-std::atomic<int> widest_wanted{0};  // how many WidestIntegers live
 
 using Wide = boost::multiprecision::checked_uint1024_t;  // all values are below 2^512
 
@@ -73,11 +70,6 @@ AngleComparison::AngleComparison(const Lattice& lattice, Cosine cosine)
     for (const std::int32_t entry : row) sum += magnitude(entry);
   }
   room_ = (kInt64Bits - bits_of(sum * sum * largest_square(cosine))) / 2;
-  if (WidestIntegers::wanted()) room_ = -1;
 }
-
-WidestIntegers::WidestIntegers() { ++widest_wanted; }
-WidestIntegers::~WidestIntegers() { --widest_wanted; }
-bool WidestIntegers::wanted() { return widest_wanted > 0; }
 
 }  // namespace ar3d::verify

@@ -14,6 +14,7 @@
 #include "ar3d/base/ieee_arithmetic.h"
 #include "ar3d/base/random.h"
 #include "ar3d/generators/catalog.h"
+#include "ar3d/verify/crossings/near_pairs.h"
 #include "ar3d/verify/predicates/choices.h"
 #include "ar3d/verify/predicates/exact.h"
 #include "precision.h"
@@ -150,7 +151,7 @@ void add_rows(const Algorithm& algorithm, std::uint64_t n,
     open_angles += !verify::filtered_angle(guarantee.lattice, from, at, to, guarantee.cosine);
   }
   for (const auto& [a, b, c, d] : decisions.pairs) {
-    open_pairs += !verify::surely_apart(a, b, c, d);
+    open_pairs += !verify::surely_skew({a, b - a}, {c, d - c});
   }
   filters.push_back({fmt::format("`{}`", algorithm.name), fmt::format("{}", n),
                      rate(open_angles, decisions.angles.size()),
