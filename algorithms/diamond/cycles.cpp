@@ -50,51 +50,32 @@ std::uint32_t close_red_cycle(Items& red, std::uint32_t cycle, const PlanePoints
 
 /// Step 1.5 for a red cycle R that contains a green cycle. Its rotation stays, since the green
 /// closings rely on it; instead its two ends move out until all four kinds of edges there keep |dx|
-/// != |dy|.
-class BumpSearch {
- public:
-  BumpSearch(const Items& red, std::uint32_t cycle, const PlanePoints& at)
-      : v_(red.of(cycle)), base_(red.begin[cycle]), at_(at) {}
-
-  /// A closing edge inside R; only those at R's ends matter.
-  void add_inner(const GreenClosing& closing) {
-    for (const Vertex end : {v_.front(), v_.back()}) {
-      if (closing.u == end || closing.w == end) inner_.push_back(closing);
-    }
-  }
-
-  /// The smallest total works with at most 3: moving only the last vertex, the edge before it
-  /// excludes one value, an inner closing at it another, and the closing edge none but 0.
-  Bump find(const Whereabouts& natural) const {
-    for (unsigned total = 0; total <= 3; ++total) {
-      for (unsigned last = 0; last <= total; ++last) {
-        const Bump bump{static_cast<std::uint8_t>(total - last), static_cast<std::uint8_t>(last)};
-        if (works(bump, natural)) return bump;
-      }
-    }
-    throw InternalError("internal error: no bump of at most 3 lines works");
-  }
-
- private:
-  bool works(Bump bump, const Whereabouts& natural) const {
-    const std::size_t k = v_.size();
-    const auto y = [&](Vertex v) {
-      const auto p = static_cast<std::int32_t>(natural[v].position - base_);
-      return v == v_.front() ? p - bump.first : v == v_.back() ? p + bump.last : p;
+/// != |dy|. The smallest total works with at most 3: moving only the last vertex, the edge before it
+/// excludes one value, an inner closing at it another, and the closing edge none but 0.
+/// @param inner  closing edges inside R; only those at R's ends matter.
+Bump find_bump(const Items& red, std::uint32_t cycle, const PlanePoints& at,
+               const std::vector<GreenClosing>& inner, const Whereabouts& natural) {
+  const auto v = red.of(cycle);
+  const std::size_t k = v.size();
+  const auto works = [&](Bump bump) {
+    const auto y = [&](Vertex u) {
+      const auto p = static_cast<std::int32_t>(natural[u].position - red.begin[cycle]);
+      return u == v.front() ? p - bump.first : u == v.back() ? p + bump.last : p;
     };
     const auto apart = [&](Vertex u, Vertex w) {
-      return x_distance(at_, u, w) != std::abs(y(u) - y(w));
+      return x_distance(at, u, w) != std::abs(y(u) - y(w));
     };
-    return apart(v_.front(), v_.back()) && apart(v_[0], v_[1]) && apart(v_[k - 2], v_[k - 1]) &&
-           std::all_of(inner_.begin(), inner_.end(),
-                       [&](const GreenClosing& c) { return apart(c.u, c.w); });
+    return apart(v.front(), v.back()) && apart(v[0], v[1]) && apart(v[k - 2], v[k - 1]) &&
+           std::ranges::all_of(inner, [&](const GreenClosing& c) { return apart(c.u, c.w); });
+  };
+  for (unsigned total = 0; total <= 3; ++total) {
+    for (unsigned last = 0; last <= total; ++last) {
+      const Bump bump{static_cast<std::uint8_t>(total - last), static_cast<std::uint8_t>(last)};
+      if (works(bump)) return bump;
+    }
   }
-
-  std::span<const Vertex> v_;
-  std::uint32_t base_;
-  const PlanePoints& at_;
-  std::vector<GreenClosing> inner_;
-};
+  throw InternalError("internal error: no bump of at most 3 lines works");
+}
 
 }  // namespace
 
@@ -125,9 +106,9 @@ RedCycles settle_red_cycles(Items& red, const std::vector<GreenClosing>& closing
       result.turned[item] = close_red_cycle(red, item, at);
       continue;
     }
-    BumpSearch search(red, item, at);
-    inner.for_each(item, [&](std::uint32_t i) { search.add_inner(closings[i]); });
-    const Bump bump = search.find(natural_red);
+    std::vector<GreenClosing> inside;
+    inner.for_each(item, [&](std::uint32_t i) { inside.push_back(closings[i]); });
+    const Bump bump = find_bump(red, item, at, inside, natural_red);
     result.bumps[item] = bump;
     ++result.rho;
     result.lines += bump.first + bump.last;

@@ -21,28 +21,18 @@ std::uint32_t largest_cycle(const Items& items) {
   return best;
 }
 
-/// One colour's order with one cycle that can still be rotated.
-class Rotatable {
- public:
-  Rotatable(const Items& items, std::uint32_t cycle)
-      : begin_(items.begin[cycle]), size_(items.size(cycle)), index_(items.vertex.size()) {
-    for (std::uint32_t i = 0; i < index_.size(); ++i) index_[items.vertex[i]] = i;
-  }
-
-  std::uint32_t size() const { return size_; }
-
-  /// The rank of v after the cycle has been closed at its edge `closing`.
-  std::int64_t rank(Vertex v, std::uint32_t closing) const {
-    const std::uint32_t i = index_[v] - begin_;  // wraps to a large number outside the cycle
-    if (i >= size_) return index_[v];
-    return begin_ + (i > closing ? i - closing - 1 : i + size_ - closing - 1);
-  }
-
- private:
-  std::uint32_t begin_;
-  std::uint32_t size_;
-  std::vector<std::uint32_t> index_;
-};
+/// The ranks in one colour's order: rank(v, closing) is that of v after the cycle has been closed at
+/// its edge `closing`.
+auto ranks_of(const Items& items, std::uint32_t cycle) {
+  std::vector<std::uint32_t> index(items.vertex.size());
+  for (std::uint32_t i = 0; i < index.size(); ++i) index[items.vertex[i]] = i;
+  return [begin = items.begin[cycle], size = items.size(cycle), index = std::move(index)](
+             Vertex v, std::uint32_t closing) -> std::int64_t {
+    const std::uint32_t i = index[v] - begin;  // wraps to a large number outside the cycle
+    if (i >= size) return index[v];
+    return begin + (i > closing ? i - closing - 1 : i + size - closing - 1);
+  };
+}
 
 /// Twice the height that a closing edge with ends of these ranks costs, of n ranks.
 std::int64_t reach(std::int64_t a, std::int64_t b, std::int64_t n) {
@@ -55,8 +45,8 @@ bool rotate_jointly(Items& green, Items& red) {
   const std::uint32_t green_cycle = largest_cycle(green);
   const std::uint32_t red_cycle = largest_cycle(red);
   if (green_cycle == kNone || red_cycle == kNone) return false;
-  const Rotatable x(green, green_cycle);
-  const Rotatable y(red, red_cycle);
+  const auto x_rank = ranks_of(green, green_cycle);
+  const auto y_rank = ranks_of(red, red_cycle);
   const auto n = static_cast<std::int64_t>(green.vertex.size());
   const auto g = green.of(green_cycle);
   const auto r = red.of(red_cycle);
@@ -65,13 +55,13 @@ bool rotate_jointly(Items& green, Items& red) {
   std::uint32_t best_green = 0;
   std::uint32_t best_red = 0;
   for (unsigned sample = 0; sample < kSamples; ++sample) {
-    const std::uint32_t i = random.below(x.size());
+    const std::uint32_t i = random.below(green.size(green_cycle));
     const Vertex u = g[i];
-    const Vertex w = g[i + 1 == x.size() ? 0 : i + 1];
-    std::int64_t previous = x.rank(r[0], i);
-    for (std::uint32_t j = 0; j < y.size(); ++j) {
-      const std::int64_t next = x.rank(r[j + 1 == y.size() ? 0 : j + 1], i);
-      const std::int64_t cost = reach(y.rank(u, j), y.rank(w, j), n) + reach(previous, next, n);
+    const Vertex w = g[i + 1 == g.size() ? 0 : i + 1];
+    std::int64_t previous = x_rank(r[0], i);
+    for (std::uint32_t j = 0; j < r.size(); ++j) {
+      const std::int64_t next = x_rank(r[j + 1 == r.size() ? 0 : j + 1], i);
+      const std::int64_t cost = reach(y_rank(u, j), y_rank(w, j), n) + reach(previous, next, n);
       if (cost < best) {
         best = cost;
         best_green = i;

@@ -2,10 +2,9 @@
 // chains (Kempe 1879) that would help are followed in turn, one step each, and the first that ends
 // is swapped, so that a long chain costs no more than the shortest. Cost: O(n), as the chains have
 // 100 steps per vertex in all.
-#include "ar3d/algorithms/grid/colouring.h"
-
 #include <algorithm>
 
+#include "ar3d/algorithms/grid/flat.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::grid {

@@ -106,18 +106,12 @@ void pack_components(const Graph& graph, const ProcessingOrder& order, Planes& p
 /// unit cube.
 Point position(const PlaneNumbers& x);
 
-/// The two lengths whose residues mod 3 keep routes apart. Only tests change them, to see the
-/// verifier object.
-struct RouteRule {
-  std::int64_t u_edge_last = 1;  ///< least length of a U-edge's last segment
-  std::int64_t nt_first = 1;     ///< length of the first segment of a defect with E < 0
-};
-
 /// Step 3.8: the three bends of every edge, computed from the two labels,
 /// the two ends and, for a defect with E > 0, its slot. Holds one byte per edge and the slots.
 class Routes final : public BendSource {
  public:
-  Routes(EdgeLabels labels, std::vector<Slot> slots, RouteRule rule = {});
+  Routes(EdgeLabels labels, std::vector<Slot> slots)
+      : labels_(std::move(labels)), slots_(std::move(slots)) {}
   void append_bends(EdgeId e, Edge ends, Point at_u, Point at_v,
                     std::vector<Point>& out) const override;
 
@@ -126,7 +120,6 @@ class Routes final : public BendSource {
 
   EdgeLabels labels_;
   std::vector<Slot> slots_;
-  RouteRule rule_;
 };
 
 }  // namespace ar3d::grid

@@ -28,7 +28,7 @@ using Bends = std::array<Point, 3>;
 
 /// Both ends labelled c. Walks from the end with the larger fourth coordinate: (p,q) l1, (p,4) l2,
 /// (q,4) l3, (q,p) l4; every length is at least 1 because the sums differ by at least 2.
-Bends u_edge(Colour c, Point upper, Point lower, std::int64_t least_last) {
+Bends u_edge(Colour c, Point upper, Point lower) {
   const Colour p = next(c);
   const Colour q = previous(c);
   Coordinates4 at = four(upper);
@@ -36,7 +36,7 @@ Bends u_edge(Colour c, Point upper, Point lower, std::int64_t least_last) {
   const std::int64_t dp = b[p] - at[p];
   const std::int64_t dq = b[q] - at[q];
   const std::int64_t l1 = dp > 0 && dq <= 0 ? 4 - dq : 1;
-  const std::int64_t l4 = (dp <= 0 ? 3 - dp : 0) + least_last;
+  const std::int64_t l4 = dp <= 0 ? 4 - dp : 1;
   return {go(at, p, q, l1), go(at, p, kFourth, dp - l1 + l4), go(at, q, kFourth, dq + l1 - l4)};
 }
 
@@ -44,14 +44,14 @@ Bends u_edge(Colour c, Point upper, Point lower, std::int64_t least_last) {
 // label"; gamma is the third colour.
 
 /// E < 0: (gamma,beta) 1, (gamma,4) 3|E|, (gamma,beta) 3B - 1, (gamma,alpha) 3A.
-Bends defect_nt(Colour alpha, Point from, Point to, std::int64_t first) {
+Bends defect_nt(Colour alpha, Point from, Point to) {
   const Colour beta = previous(alpha);
   const Colour gamma = next(alpha);
   const Coordinates4 u = four(from);
   const Coordinates4 v = four(to);
   Coordinates4 at = u;
-  return {go(at, gamma, beta, first), go(at, gamma, kFourth, u[kFourth] - v[kFourth]),
-          go(at, gamma, beta, u[beta] - v[beta] - first)};
+  return {go(at, gamma, beta, 1), go(at, gamma, kFourth, u[kFourth] - v[kFourth]),
+          go(at, gamma, beta, u[beta] - v[beta] - 1)};
 }
 
 /// E > 0 with slot k: (gamma,beta) a, (4,beta) 3B - a, (4,alpha) 3A - d, (gamma,alpha) d with
@@ -75,9 +75,6 @@ Point position(const PlaneNumbers& x) {
           3 * (std::int64_t{x[1]} + x[2])};
 }
 
-Routes::Routes(EdgeLabels labels, std::vector<Slot> slots, RouteRule rule)
-    : labels_(std::move(labels)), slots_(std::move(slots)), rule_(rule) {}
-
 std::int64_t Routes::slot_of(EdgeId e) const {
   const auto at = std::ranges::lower_bound(slots_, e, {}, &Slot::edge);
   expect(at != slots_.end() && at->edge == e, "a defect with E > 0 has a slot (I5)");
@@ -93,16 +90,14 @@ void Routes::append_bends(EdgeId e, Edge ends, Point at_u, Point at_v,
   bool reversed = false;
   if (label_u == label_v) {
     reversed = drop < 0;
-    bends = reversed ? u_edge(label_u, at_v, at_u, rule_.u_edge_last)
-                     : u_edge(label_u, at_u, at_v, rule_.u_edge_last);
+    bends = reversed ? u_edge(label_u, at_v, at_u) : u_edge(label_u, at_u, at_v);
   } else {
     reversed = label_u != next(label_v);
     const Colour alpha = reversed ? label_v : label_u;
     const Point from = reversed ? at_v : at_u;
     const Point to = reversed ? at_u : at_v;
     const bool is_nt = reversed ? drop < 0 : drop > 0;
-    bends =
-        is_nt ? defect_nt(alpha, from, to, rule_.nt_first) : defect_pq(alpha, from, to, slot_of(e));
+    bends = is_nt ? defect_nt(alpha, from, to) : defect_pq(alpha, from, to, slot_of(e));
   }
   if (reversed) std::ranges::reverse(bends);
   out.insert(out.end(), bends.begin(), bends.end());

@@ -1,6 +1,8 @@
 // Step 2.1: K4, K3,3 and Q from tables. Their poles cannot have the neighbours that the
 // construction needs. The tables were found by search and are certified like any drawing. Cost:
 // O(1) per body.
+#include <tuple>
+
 #include "ar3d/algorithms/two_bend/slab.h"
 #include "ar3d/base/error.h"
 
@@ -15,12 +17,8 @@ EdgeId edge_between(const LocalGraph& graph, Vertex u, Vertex v) {
   throw InternalError("internal error: a fixed body lacks an edge");
 }
 
-/// Two bends from vertex u to vertex v of a table.
-struct TableEdge {
-  std::size_t u;
-  std::size_t v;
-  std::array<Point, 2> bends;
-};
+/// Two bends from the first to the second vertex of a table.
+using TableEdge = std::tuple<std::size_t, std::size_t, std::array<Point, 2>>;
 
 constexpr std::array<Point, 4> kK4Vertices{{{5, 6, 9}, {5, 2, 17}, {9, 2, 5}, {1, 2, 5}}};
 constexpr std::array<TableEdge, 6> kK4Edges{{{0, 1, {{{5, 6, 17}, {5, 4, 19}}}},
@@ -52,11 +50,11 @@ void draw_table(const LocalGraph& graph, std::span<const Vertex> vertices,
     output.set_vertex(graph.name[vertices[i]], points[i] + up);
     top = std::max(top, points[i].z);
   }
-  for (const TableEdge& edge : edges) {
-    std::array<Point, 2> bends{edge.bends[0] + up, edge.bends[1] + up};
-    if (is_below(points[edge.v], points[edge.u])) std::swap(bends[0], bends[1]);
-    output.set_bends(edge_between(graph, vertices[edge.u], vertices[edge.v]), bends);
-    top = std::max({top, edge.bends[0].z, edge.bends[1].z});
+  for (const auto& [u, v, of_table] : edges) {
+    std::array<Point, 2> bends{of_table[0] + up, of_table[1] + up};
+    if (is_below(points[v], points[u])) std::swap(bends[0], bends[1]);
+    output.set_bends(edge_between(graph, vertices[u], vertices[v]), bends);
+    top = std::max({top, of_table[0].z, of_table[1].z});
   }
   output.end_component(output.base_z() + top);
 }

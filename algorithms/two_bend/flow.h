@@ -58,7 +58,7 @@ struct Pole {
 inline constexpr std::uint32_t kMostSharers = 32;
 
 /// Says what a node is in the lists of a view; see View.
-enum NodeRole : std::uint8_t {
+enum : std::uint8_t {
   kOwner = 1,
   kListedMerge = 2,
   kFreeMerge = 4,
@@ -73,7 +73,7 @@ struct Flow {
   LongVector<Pole> poles;
   std::array<LongVector<NodeType>, 2> types;  ///< per node, in the row and in the column view
   std::array<LongVector<std::uint8_t>, 2>
-      roles;  ///< per node: bits of NodeRole in the row and in the column view
+      roles;  ///< per node: bits of these roles in the row and in the column view
   std::array<LongVector<NodeId>, 2>
       row_owner;  ///< per node, in the row and in the column view: whose row it stands in
   LongVector<std::uint32_t> index;  ///< per vertex, in the time order; empty if joint and long
@@ -166,7 +166,7 @@ class View {
   std::array<NodeId, 2> ordinary_of(const Pole& pole) const;
 
  private:
-  bool has_role(NodeId v, NodeRole role) const {
+  bool has_role(NodeId v, std::uint8_t role) const {
     return (flow_->roles[columns_ ? 1 : 0][v] & role) != 0;
   }
   std::span<const std::uint32_t> half(const std::array<std::uint32_t, 3>& all, NodeId v,

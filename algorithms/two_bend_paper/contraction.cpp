@@ -111,13 +111,11 @@ class Contractor {
       for (const HalfEdge i : result_.stars[members[m]]) {
         const auto other = found(i.to);
         const std::uint8_t slot = result_.ends[i.edge][0] == members[m] ? 0 : 1;
-        const auto member = static_cast<std::uint8_t>(m);
         if (other == members.end()) {
-          step.outer.push_back({i.edge, slot, member});
+          step.outer.push_back({i.edge, slot});
           star.push_back(i);
         } else if (slot == 0) {
-          step.inner.push_back(
-              {i.edge, member, static_cast<std::uint8_t>(other - members.begin())});
+          step.inner.push_back({i.edge, m, static_cast<std::size_t>(other - members.begin())});
         }
       }
       result_.alive[members[m]] = false;
@@ -131,7 +129,7 @@ class Contractor {
     result_.stars.push_back(star);
     result_.alive.push_back(true);
     queue_.push_back(step.result);
-    for (const OuterEnd& end : step.outer) result_.ends[end.edge][end.slot] = step.result;
+    for (const auto& [edge, slot] : step.outer) result_.ends[edge][slot] = step.result;
     for (const HalfEdge i : star) {
       for (HalfEdge& back : result_.stars[i.to]) {
         if (back.edge == i.edge) back.to = step.result;

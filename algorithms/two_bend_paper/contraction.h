@@ -3,6 +3,8 @@
 #include <array>
 #include <boost/container/static_vector.hpp>
 #include <cstdint>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ar3d/model/graph.h"
@@ -21,20 +23,11 @@ using Star = boost::container::static_vector<HalfEdge, 3>;
 ///   fat_leaf  0, the common neighbour of the tips 1 and 2; mids 3 and 4
 enum class FigureKind : std::uint8_t { triangle, diamond, fat_leaf };
 
-/// An end of an edge that leaves the figure: its slot (0: the edge's u, 1: its v) and the member it
-/// belongs to.
-struct OuterEnd {
-  EdgeId edge = 0;
-  std::uint8_t slot = 0;
-  std::uint8_t member = 0;
-};
+/// An end of an edge that leaves the figure, by its slot (0: the edge's u, 1: its v).
+using OuterEnd = std::pair<EdgeId, std::uint8_t>;
 
-/// An edge within the figure, from the member at its slot 0 to the one at its slot 1.
-struct InnerEdge {
-  EdgeId edge = 0;
-  std::uint8_t from = 0;
-  std::uint8_t to = 0;
-};
+/// An edge within the figure, and the members at its slots 0 and 1.
+using InnerEdge = std::tuple<EdgeId, std::size_t, std::size_t>;
 
 /// One contraction. Members with edges to the outside come first among the corners of a triangle
 /// and among the tips of a diamond.

@@ -63,11 +63,11 @@ class Expansion {
 
   /// At the top, directions are those of the first pieces.
   void read_directions(const Contraction& step) {
-    for (const OuterEnd& end : step.outer) {
-      const auto& bends = points_.bends[end.edge];
-      const V next = bends.empty() ? points_.of_node[graph_.ends[end.edge][1 - end.slot]]
-                                   : (end.slot == 0 ? bends.front() : bends.back());
-      directions_[end.edge][end.slot] = unit(next - points_.of_node[step.result]);
+    for (const auto& [edge, slot] : step.outer) {
+      const auto& bends = points_.bends[edge];
+      const V next = bends.empty() ? points_.of_node[graph_.ends[edge][1 - slot]]
+                                   : (slot == 0 ? bends.front() : bends.back());
+      directions_[edge][slot] = unit(next - points_.of_node[step.result]);
     }
   }
 
@@ -84,7 +84,8 @@ class Expansion {
   }
 
   V outer_direction(const Contraction& step, std::size_t i) const {
-    return directions_[step.outer[i].edge][step.outer[i].slot];
+    const auto [edge, slot] = step.outer[i];
+    return directions_[edge][slot];
   }
 
   /// d turned by 120 degrees about n.
@@ -111,16 +112,16 @@ class Expansion {
   /// The bends of the edge between two members, given as offsets from the first one on.
   void set_inner(const Contraction& step, std::size_t from, std::size_t to,
                  std::vector<V> offsets) {
-    for (const InnerEdge& inner : step.inner) {
-      const bool is_forward = inner.from == from && inner.to == to;
-      if (!is_forward && !(inner.from == to && inner.to == from)) continue;
+    for (const auto& [edge, first_member, last_member] : step.inner) {
+      const bool is_forward = first_member == from && last_member == to;
+      if (!is_forward && !(first_member == to && last_member == from)) continue;
       const V first = offsets.empty() ? offsets_[to] : offsets.front();
       const V last = offsets.empty() ? offsets_[from] : offsets.back();
-      directions_[inner.edge][is_forward ? 0 : 1] = unit(first - offsets_[from]);
-      directions_[inner.edge][is_forward ? 1 : 0] = unit(last - offsets_[to]);
+      directions_[edge][is_forward ? 0 : 1] = unit(first - offsets_[from]);
+      directions_[edge][is_forward ? 1 : 0] = unit(last - offsets_[to]);
       if (!is_forward) std::reverse(offsets.begin(), offsets.end());
       for (V& offset : offsets) offset = place(offset);
-      points_.bends[inner.edge] = std::move(offsets);
+      points_.bends[edge] = std::move(offsets);
       return;
     }
     expect(false, "members of a figure are adjacent");

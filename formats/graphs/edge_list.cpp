@@ -145,10 +145,10 @@ class EdgeListParser final : public GraphParser {
     }
     const ListRow row = shape_.cut(input_, line);
     if (graph_.num_rows() == 0 && !shape_.heading && read_heading(row)) return;
-    const EndColumns ends = shape_.heading.value_or(EndColumns{});
+    const EndColumns ends = shape_.heading.value_or(kFirstColumns);
     check_columns(row, ends);
-    const ListField& a = row[ends.source];
-    const ListField& b = row[ends.target];
+    const ListField& a = row[ends[0]];
+    const ListField& b = row[ends[1]];
     for (const ListField* end : {&a, &b}) {
       if (const auto problem = end_problem(*end, shape_.is_headed_table))
         input_.fail(end->column, *problem);
@@ -173,7 +173,7 @@ class EdgeListParser final : public GraphParser {
     return true;
   }
   void check_columns(const ListRow& row, EndColumns ends) {
-    const bool is_short = row.size() < 2 || row.size() <= std::max(ends.source, ends.target);
+    const bool is_short = row.size() < 2 || row.size() <= std::max(ends[0], ends[1]);
     if (is_short) {
       input_.fail(0, "expected two ends of an edge, found the end of the line");
     }

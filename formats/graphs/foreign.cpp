@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/algorithm/string/predicate.hpp>
 #include <string_view>
 
@@ -14,11 +15,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-struct Beginning {
-  std::string_view text;  // in small letters, where letters are not told apart
-  const char* what;
-  const char* way;
-};
+/// How a text begins, what it is, and what makes a graph of it.
+using Beginning = std::array<std::string_view, 3>;
 
 /// By the first bytes.
 constexpr Beginning kBytes[] = {
@@ -39,7 +37,7 @@ constexpr Beginning kBytes[] = {
      "a program", "give the graph"},
 };
 
-/// By the first words, in letters of any size.
+/// By the first words, in small letters for letters of any size.
 constexpr Beginning kWords[] = {
     {"version https://git-lfs.github.com/spec/", "a pointer of git-lfs",
      "`git lfs pull` fetches the file"},
@@ -76,11 +74,11 @@ std::string_view first_text(std::string_view text) {
 }
 
 void refuse_foreign(TextInput& input, bool is_forced) {
-  const auto refuse = [&](const char* what, const std::string& way) {
+  const auto refuse = [&](std::string_view what, std::string_view way) {
     throw InputError(
         fmt::format("{}:1: this is {}, which is not read; {}", input.name(), what, way));
   };
-  const auto by_networkx = [&](const char* what, const char* reader) {
+  const auto by_networkx = [&](std::string_view what, std::string_view reader) {
     refuse(what, fmt::format("examples/convert.py makes GraphML of it: networkx.write_graphml("
                              "networkx.Graph(networkx.{}(FILE)), OUTPUT)",
                              reader));

@@ -61,9 +61,8 @@ void ListGraph::note_heading(std::uint64_t line, const ListRow& row) const {
                                 "of rows (R's row.names = FALSE leaves them out)?",
                                 row.size(), most_fields_));
   }
-  const EndColumns ends = shape_->heading.value_or(EndColumns{});
-  note_(line,
-        fmt::format("'{} {}' is a heading, no edge", row[ends.source].text, row[ends.target].text));
+  const auto [source, target] = shape_->heading.value_or(kFirstColumns);
+  note_(line, fmt::format("'{} {}' is a heading, no edge", row[source].text, row[target].text));
 }
 
 void ListGraph::look_at_columns(const ListRow& row, const ListField& a, const ListField& b) {

@@ -35,11 +35,9 @@ struct RowCut {
 /// or attributes, or a heading. @throws InputError if there are two ways.
 RowCut cut_of(const TextInput& input, std::string_view line);
 
-/// The columns of a heading that are the ends of edges, such as source and target.
-struct EndColumns {
-  std::size_t source = 0;
-  std::size_t target = 1;
-};
+/// The columns that are the ends of edges, such as source and target of a heading.
+using EndColumns = std::array<std::size_t, 2>;
+constexpr EndColumns kFirstColumns = {0, 1};
 std::optional<EndColumns> ends_of_heading(const ListRow& row);
 
 /// True if the line is a heading that names the ends, however it is cut.

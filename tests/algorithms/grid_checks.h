@@ -54,12 +54,11 @@ inline grid::Planes planes_of(const Graph& graph, const grid::PlaneOptions& opti
 /// Many defects: the core without Kempe chains.
 inline grid::Planes core_planes(const Graph& graph) { return planes_of(graph, {.flat = false}); }
 
-inline Drawing drawing_of(const Graph& graph, const grid::Planes& planes,
-                          grid::RouteRule rule = {}) {
+inline Drawing drawing_of(const Graph& graph, const grid::Planes& planes) {
   Coordinates vertices(graph.num_vertices(), 1'000'000);
   for (Vertex v = 0; v < graph.num_vertices(); ++v) vertices.set(v, grid::position(planes.of[v]));
   return Drawing("grid", kCubeLattice, std::move(vertices), graph.shared_edges(),
-                 std::make_shared<grid::Routes>(planes.labels, planes.slots, rule));
+                 std::make_shared<grid::Routes>(planes.labels, planes.slots));
 }
 
 /// Triangles inside one another: each vertex has at most one edge to the next triangle inwards or

@@ -1,11 +1,14 @@
 // Each rule of algorithm `grid`'s invariant is needed: with one of them broken and the others kept,
 // the verifier finds two segments that meet.
+#include <array>
 #include <cstdlib>
+#include <functional>
 
 #include "algorithms/grid_checks.h"
 #include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
+#include "verify/draft.h"
 
 namespace ar3d::testing {
 namespace {
@@ -84,23 +87,43 @@ TEST(GridMutations, WithoutEmptySlotsTheVerifierObjects) {
   EXPECT_GT(broken, 0);
 }
 
-int drawings_that_meet_themselves(grid::RouteRule rule) {
+using Segments4 = std::array<Vector, 4>;  ///< their directions
+using Move = std::function<void(const Segments4&, std::vector<Point>& bends)>;
+
+int drawings_that_meet_themselves(const Move& move) {
   int count = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const Graph graph = generate(find_family("random-cubic"), 120, seed);
-    const Planes planes = core_planes(graph);
-    count += meets_itself(graph, drawing_of(graph, planes, rule)) ? 1 : 0;
+    Draft draft = draft_of(drawing_of(graph, core_planes(graph)));
+    for (auto& [ends, bends] : draft.edges) {
+      const Point u = draft.vertices[ends.u], v = draft.vertices[ends.v];
+      move({primitive(bends[0] - u), primitive(bends[1] - bends[0]), primitive(bends[2] - bends[1]),
+            primitive(v - bends[2])},
+           bends);
+    }
+    count += meets_itself(graph, draft.drawing()) ? 1 : 0;
   }
   return count;
 }
 
-TEST(GridMutations, WithAWrongResidueTheVerifierObjects) {
-  EXPECT_EQ(drawings_that_meet_themselves({}), 0);
-  EXPECT_GT(drawings_that_meet_themselves({.u_edge_last = 2}), 0);
+TEST(GridMutations, WithAWrongResidueOfUEdgesTheVerifierObjects) {
+  EXPECT_EQ(drawings_that_meet_themselves([](auto&, auto&) {}), 0);
+  const auto longer_last = [](const Segments4& along, std::vector<Point>& bends) {
+    if (along[0] != -along[3]) return;
+    bends[1] = bends[1] + along[1];
+    bends[2] = bends[2] + -along[3];
+  };
+  EXPECT_GT(drawings_that_meet_themselves(longer_last), 0);
 }
 
 TEST(GridMutations, WithAWrongOffsetTheVerifierObjects) {
-  EXPECT_GT(drawings_that_meet_themselves({.nt_first = 2}), 0);
+  const auto longer_first = [](const Segments4& along, std::vector<Point>& bends) {  // E < 0
+    for (const std::size_t i : {0, 1}) {
+      if (along[0] == along[2]) bends[i] = bends[i] + along[0];
+      if (along[1] == along[3]) bends[i + 1] = bends[i + 1] + -along[3];
+    }
+  };
+  EXPECT_GT(drawings_that_meet_themselves(longer_first), 0);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "algorithms/two_bend_graphs.h"
 #include "algorithms/two_bend_support.h"
 #include "ar3d/verify/metrics/metrics.h"
+#include "verify/draft.h"
 
 namespace ar3d::testing {
 namespace {
@@ -97,24 +98,13 @@ TEST(TwoBend, RefusesDegree4AndUnknownEfforts) {
 
 /// The drawing with the lower end of the lean of one edge a step higher; nothing if it has no lean.
 std::optional<Drawing> with_a_flatter_lean(const Drawing& drawing, EdgeId spoilt) {
-  auto bends = std::make_shared<StoredBends>();
-  std::vector<Point> points;
-  bool found = false;
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
-    drawing.polyline(e, points);
-    std::vector<Point> inner(points.begin() + 1, points.end() - 1);
-    if (e == spoilt && inner.size() == 2) {
-      const Vector lean = inner[1] - inner[0];
-      found = lean.x != 0 && lean.y != 0;
-      if (found) ++inner[lean.z > 0 ? 0 : 1].z;
-    }
-    bends->add_edge(inner);
-  }
-  if (!found) return std::nullopt;
-  Coordinates vertices(drawing.num_vertices(), kMaxCoordinate);
-  for (Vertex v = 0; v < drawing.num_vertices(); ++v) vertices.set(v, drawing.vertex(v));
-  return Drawing(drawing.algorithm(), drawing.lattice(), std::move(vertices),
-                 drawing.shared_edges(), bends);
+  Draft draft = draft_of(drawing);
+  std::vector<Point>& bends = draft.edges[spoilt].bends;
+  if (bends.size() != 2) return std::nullopt;
+  const Vector lean = bends[1] - bends[0];
+  if (lean.x == 0 || lean.y == 0) return std::nullopt;
+  ++bends[lean.z > 0 ? 0 : 1].z;
+  return draft.drawing();
 }
 
 /// Leans are as low as Lemmas 2.2 and 2.3 allow: one step less, and an angle is too sharp.

@@ -137,11 +137,8 @@ class ItemWalks {
     std::uint32_t v = 0;
   };
 
-  /// A cycle that is cut.
-  struct CutCycle {
-    Vertex smallest = kNone;
-    std::uint32_t stretch = 0;  ///< the one with the smallest vertex
-  };
+  /// The smallest vertex of a cycle that is cut, and the stretch that has it.
+  using CutCycle = std::pair<Vertex, std::uint32_t>;
 
   bool cuts(std::size_t v) const { return (v & (sizes_.stride - 1)) == 0; }
   bool begins_path(Vertex v) const { return follows_ && !follows_->has(v); }
@@ -216,15 +213,15 @@ class ItemWalks {
       }
     }
     for (std::uint32_t i = 0; i < number; ++i) {
-      CutCycle cycle;
+      CutCycle cycle{kNone, 0};
       for (std::uint32_t s = i; !seen[s]; s = after(s)) {
         seen[s] = true;
         const Vertex low = smallest_in(stretches_[s]);
-        if (low < cycle.smallest) cycle = {low, s};
+        cycle = std::min(cycle, CutCycle{low, s});
       }
-      if (cycle.smallest != kNone) cycles.push_back(cycle);
+      if (cycle.first != kNone) cycles.push_back(cycle);
     }
-    std::ranges::sort(cycles, {}, &CutCycle::smallest);
+    std::ranges::sort(cycles);
     return cycles;
   }
 
@@ -234,11 +231,12 @@ class ItemWalks {
 
   /// From its smallest vertex around.
   void place_cut_cycle(const CutCycle& cycle) {
-    const ItemStretch& begun = stretches_[cycle.stretch];
+    const auto [smallest, first] = cycle;
+    const ItemStretch& begun = stretches_[first];
     const auto low = static_cast<std::uint32_t>(
-        std::find(begun.vertex, begun.vertex + begun.size, cycle.smallest) - begun.vertex);
+        std::find(begun.vertex, begun.vertex + begun.size, smallest) - begun.vertex);
     place(begun, low, begun.size);
-    for_others_around(cycle.stretch, [&](const ItemStretch& stretch) { place(stretch); });
+    for_others_around(first, [&](const ItemStretch& stretch) { place(stretch); });
     place(begun, 0, low);
     end_item();
   }
@@ -262,14 +260,14 @@ class ItemWalks {
   void place_cycles() {
     const std::vector<CutCycle> cut = cut_cycles();
     std::size_t left = next_.size() - items_.vertex.size();
-    for (const CutCycle& cycle : cut) {
-      left -= stretches_[cycle.stretch].size;
-      for_others_around(cycle.stretch, [&](const ItemStretch& stretch) { left -= stretch.size; });
+    for (const auto& [smallest, first] : cut) {
+      left -= stretches_[first].size;
+      for_others_around(first, [&](const ItemStretch& stretch) { left -= stretch.size; });
     }
     auto uncut = static_cast<std::uint32_t>(stretches_.size());
     if (left > 0) walk_uncut_cycles();
     for (const CutCycle& cycle : cut) {
-      place_uncut_below(cycle.smallest, uncut);
+      place_uncut_below(cycle.first, uncut);
       place_cut_cycle(cycle);
     }
     place_uncut_below(kNone, uncut);

@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include "ar3d/algorithms/diamond/fast/marks_and_lanes.h"
 #include "ar3d/base/long_vector.h"
@@ -42,10 +43,7 @@ inline constexpr std::uint32_t entry_of(PortNumber p) { return p & 3; }
 
 /// By which entry a chain goes on from an arrival, if the record has it; and whether the arrival is
 /// kept in the stretch (1 or 0).
-struct Onward {
-  std::uint32_t entry = 0;
-  std::uint32_t kept = 1;
-};
+using Onward = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Links the entries (0, 1) and (2, 3) of every vertex.
 struct LinkPairs {

@@ -111,7 +111,7 @@ class Trails {
   }
   /// The port linked with one, or kNoPort.
   PortNumber linked(PortNumber p) const {
-    const std::uint32_t entry = link_(vertex_of(p), entry_of(p)).entry;
+    const std::uint32_t entry = link_(vertex_of(p), entry_of(p)).first;
     return records_[vertex_of(p)][entry] == kNone ? kNoPort : port(vertex_of(p), entry);
   }
   TrailLane* lanes_of(std::uint32_t thread) {
