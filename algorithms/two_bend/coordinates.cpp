@@ -25,7 +25,7 @@ std::int64_t base_gap(NodeType a, NodeType b) {
   return a == NodeType::station || b == NodeType::station ? 3 : 1;
 }
 
-std::int64_t bound_of_entry(NodeType type, const Spacing::Widening& widening) {
+std::int64_t bound_of_entry(NodeType type, const Widening& widening) {
   const auto [extra_before, extra_after, hold_gap] = widening;
   std::int64_t bound = type == NodeType::station ? 4 : 2;
   if (extra_before + extra_after > 0) bound += extra_before + extra_after + 1;
@@ -75,7 +75,7 @@ Values number_list(const View& view, const LongVector<NodeId>& list, const Spaci
   bound = 0;
   std::int64_t value = -2;  // the first entry gets 0 or 1
   NodeType last = NodeType::split;
-  Spacing::Widening before;
+  Widening before;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const NodeId v = list[i];
     if (i + kAhead < list.size()) {
@@ -83,7 +83,8 @@ Values number_list(const View& view, const LongVector<NodeId>& list, const Spaci
       prefetch(values, list[i + kAhead]);
     }
     const NodeType type = view.type(v);
-    const Spacing::Widening widening = spacing[v];
+    const auto found = spacing.find(v);
+    const Widening widening = found == spacing.end() ? Widening{} : found->second;
     const bool is_first = value < 0;
     value += is_first ? 2
                       : std::max({base_gap(last, type), before.hold_gap, widening.hold_gap}) +

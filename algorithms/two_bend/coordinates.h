@@ -11,26 +11,14 @@ namespace ar3d::two_bend {
 /// Largest horizontal coordinate of a component: differences d, q then give d^2 + q^2 <= 2^61.
 inline constexpr std::int64_t kMaxHorizontal = std::int64_t{1} << 30;
 
-/// Holds what widens a list beyond its base gaps; the only state that persists from round to round
-/// (Step 2.9). Few entries have any.
-class Spacing {
- public:
-  struct Widening {
-    std::int64_t extra_before = 0;  ///< added to the gap directly before the entry
-    std::int64_t extra_after = 0;   ///< added to the gap directly after the entry
-    std::int64_t hold_gap = 0;      ///< least gap on both sides of the entry
-  };
-  explicit Spacing(std::size_t num_nodes) : is_widened_(num_nodes, false) {}
-  Widening& at(NodeId v) {
-    is_widened_[v] = true;
-    return widenings_[v];
-  }
-  Widening operator[](NodeId v) const { return is_widened_[v] ? widenings_.at(v) : Widening{}; }
-
- private:
-  std::vector<bool> is_widened_;
-  std::unordered_map<NodeId, Widening> widenings_;
+/// Holds what widens a list beyond its base gaps at one entry.
+struct Widening {
+  std::int64_t extra_before = 0;  ///< added to the gap directly before the entry
+  std::int64_t extra_after = 0;   ///< added to the gap directly after the entry
+  std::int64_t hold_gap = 0;      ///< least gap on both sides of the entry
 };
+/// By entry, of which few have any; the only state that persists from round to round (Step 2.9).
+using Spacing = std::unordered_map<NodeId, Widening>;
 
 /// The numbers of one view: rows (y) or columns (x), per node; meaningful for owners and MERGEs of
 /// the view. Owners are even, MERGEs odd; a MERGE is strictly between its in-neighbours, at

@@ -31,18 +31,15 @@ namespace {
 class NumberedLists {
  protected:
   NumberedLists(const Flow& flow, const Lists& lists)
-      : flow_(flow),
-        lists_(lists),
-        views_{View(flow, false), View(flow, true)},
-        spacings_{Spacing(flow.nodes.size()), Spacing(flow.nodes.size())} {}
+      : flow_(flow), lists_(lists), views_{View(flow, false), View(flow, true)} {}
 
   const View& view_of(const Pole& pole) const {  // the view in which the pole is a SINK
     return views_[flow_.nodes[pole.node].type == NodeType::sink ? 0 : 1];
   }
   Spacing& spacing_of(const View& view) { return spacings_[view.columns() ? 1 : 0]; }
-  Spacing::Widening& hold_spacing(const Pole& pole) {
+  Widening& hold_spacing(const Pole& pole) {
     const View& view = view_of(pole);
-    return spacing_of(view).at(view.hold_of(pole));
+    return spacing_of(view)[view.hold_of(pole)];
   }
   ViewValues values_of(const View& view) const {
     return view.columns() ? ViewValues{layout_.columns, layout_.rows}
@@ -125,7 +122,7 @@ class LayoutSearch : private NumberedLists {
     const Values& values = values_of(view).own;
     const auto below = view.ins(merge);
     const NodeId lower = values[below[1]] < values[below[0]] ? below[1] : below[0];
-    spacing_of(view).at(view.row_of(lower)).extra_after += by;
+    spacing_of(view)[view.row_of(lower)].extra_after += by;
   }
 
   /// The intervals of these VV edges get room for kVvCount odd numbers.
@@ -221,7 +218,7 @@ class SafeLayout : private NumberedLists {
   void widen(const View& view, NodeId merge, std::int64_t count) {
     const Values& own = values_of(view).own;
     const auto below = view.ins(merge);
-    Spacing::Widening& widening = spacing_of(view).at(below[0]);
+    Widening& widening = spacing_of(view)[below[0]];
     (own[below[0]] < own[below[1]] ? widening.extra_after : widening.extra_before) +=
         2 * (count - 1);
   }
@@ -252,7 +249,7 @@ class SafeLayout : private NumberedLists {
       if (missing <= 0) continue;
       const View& view = view_of(pole);
       const Values& own = values_of(view).own;
-      Spacing::Widening& widening = hold_spacing(pole);
+      Widening& widening = hold_spacing(pole);
       const bool above = own[far_neighbour(pole)] > own[view.hold_of(pole)];
       const std::int64_t by = missing + missing % 2;
       (above ? widening.extra_after : widening.extra_before) += by;

@@ -292,7 +292,6 @@ TEST(Filters, DecideOnlyWhatTheirErrorAllows) {
 }
 
 TEST(Arithmetic, IsRoundedOnceAsItIsWritten) {
-  EXPECT_EQ(predicate_arithmetic_departures(), "");
   EXPECT_EQ(two_bend_paper::arithmetic_departures(), "");
 }
 

@@ -123,6 +123,4 @@ const PredicateChoice& predicate_choice(const std::string& name) {
   throw InternalError("no predicates in " + name);
 }
 
-std::string predicate_arithmetic_departures() { return arithmetic_departures(); }
-
 }  // namespace ar3d::verify

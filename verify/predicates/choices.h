@@ -38,8 +38,4 @@ const PredicateChoice& predicate_choice(const std::string& name);
 std::optional<std::strong_ordering> filtered_angle(const Lattice& lattice, Point from, Point at,
                                                    Point to, Cosine c);
 
-/// Returns how the floating-point arithmetic of these predicates departs from IEEE 754, as
-/// arithmetic_departures() (base/ieee_arithmetic.h) finds; empty if it does not.
-std::string predicate_arithmetic_departures();
-
 }  // namespace ar3d::verify
