@@ -92,23 +92,19 @@ RedCycles settle_red_cycles(Items& red, const std::vector<GreenClosing>& closing
   RedCycles result;
   result.bumps.resize(red.count());
   result.turned.resize(red.count());
-  Buckets inner(red.count(), closings.size());
-  std::vector<bool> contains(red.count(), false);
-  for (std::uint32_t i = 0; i < closings.size(); ++i) {
-    if (closings[i].contained_in == kNone) continue;
-    inner.add(closings[i].contained_in, i);
-    contains[closings[i].contained_in] = true;
+  std::vector<std::vector<GreenClosing>> inside(red.count());
+  for (const GreenClosing& closing : closings) {
+    if (closing.contained_in == kNone) continue;
+    inside[closing.contained_in].push_back(closing);
     ++result.contained;
   }
   for (std::uint32_t item = 0; item < red.count(); ++item) {
     if (!red.is_cycle(item)) continue;
-    if (!contains[item]) {
+    if (inside[item].empty()) {
       result.turned[item] = close_red_cycle(red, item, at);
       continue;
     }
-    std::vector<GreenClosing> inside;
-    inner.for_each(item, [&](std::uint32_t i) { inside.push_back(closings[i]); });
-    const Bump bump = find_bump(red, item, at, inside, natural_red);
+    const Bump bump = find_bump(red, item, at, inside[item], natural_red);
     result.bumps[item] = bump;
     ++result.rho;
     result.lines += bump.first + bump.last;

@@ -102,26 +102,24 @@ class RedStack {
   }
 
   void file(const std::vector<GreenClosing>& closings, const PlanePoints& at) {
-    late_ = Buckets(red_.count(), closings.size());
+    late_.resize(red_.count());
     for (const auto& [u, w, contained_in] : closings) {
       if (contained_in != kNone) continue;
       auto late = where(u);
       auto early = where(w);
       if (late < early) std::swap(late, early);
-      late_.add(late.first, static_cast<std::uint32_t>(closings_.size()));
-      closings_.push_back({late.second, early.first, early.second, x_distance(at, u, w)});
+      late_[late.first].push_back({late.second, early.first, early.second, x_distance(at, u, w)});
     }
   }
 
   std::int32_t offset(std::uint32_t item, bool bad, std::int32_t top) {
     forbidden_.clear();
     if (bad) forbidden_.push_back(0);
-    late_.for_each(item, [&](std::uint32_t i) {
-      const StackedClosing& closing = closings_[i];
+    for (const StackedClosing& closing : late_[item]) {
       const std::int32_t without = y(item, closing.index);  // base_ is 0 so far
       forbidden_.push_back(y(closing.other_item, closing.other_index) + closing.x_distance - top -
                            without);
-    });
+    }
     if (forbidden_.empty()) return 0;
     std::vector<bool> is_forbidden(forbidden_.size() + 1,
                                    false);  // some value up to the size is free
@@ -139,10 +137,9 @@ class RedStack {
   const std::vector<std::uint32_t>& begin_;
   const RedCycles& cycles_;
   const Whereabouts& natural_;
-  std::vector<std::uint32_t> number_;  ///< in the stack, by natural item
-  std::vector<std::int32_t> base_;     ///< y of the items' first vertices
-  std::vector<StackedClosing> closings_;
-  Buckets late_{0, 0};
+  std::vector<std::uint32_t> number_;              ///< in the stack, by natural item
+  std::vector<std::int32_t> base_;                 ///< y of the items' first vertices
+  std::vector<std::vector<StackedClosing>> late_;  ///< by item
   std::vector<std::int32_t> forbidden_;
 };
 

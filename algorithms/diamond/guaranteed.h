@@ -18,25 +18,6 @@ Arrangement order_items(const Graph& graph, const Items& items);
 /// neighbouring lines.
 std::vector<bool> bad_boundaries(const Graph& graph, const Items& items);
 
-/// Lists of numbers, one list a bucket; linear in all.
-class Buckets {
- public:
-  Buckets(std::size_t buckets, std::size_t entries)
-      : head_(buckets, kNone), next_(entries, kNone) {}
-  void add(std::uint32_t bucket, std::uint32_t entry) {
-    next_[entry] = head_[bucket];
-    head_[bucket] = entry;
-  }
-  template <class Visit>
-  void for_each(std::uint32_t bucket, Visit visit) const {
-    for (std::uint32_t entry = head_[bucket]; entry != kNone; entry = next_[entry]) visit(entry);
-  }
-
- private:
-  std::vector<std::uint32_t> head_;
-  std::vector<std::uint32_t> next_;
-};
-
 /// The closing edge of a green cycle, and the red item that holds the whole cycle, or kNone.
 struct GreenClosing {
   Vertex u = 0;
