@@ -3,6 +3,7 @@
 // a tree cost no more than the square of its rows (Lemma 2.17). Cost: O(n).
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
+#include <unordered_map>
 
 #include "ar3d/algorithms/two_bend/lists.h"
 #include "ar3d/base/error.h"
@@ -96,12 +97,6 @@ class Forest {
     std::uint32_t size = 0;       // owners of the tree
     std::uint32_t begin = kNone;  // its first index in the order
   };
-  /// Trees hung on a node, as a linked list.
-  struct Hanging {
-    NodeId on = kNone;
-    NodeId first = kNone;
-    NodeId next = kNone;
-  };
 
   /// SINK rows are put into the list later, the SOURCE's is its unit's business.
   bool is_initial_owner(NodeId v) const {
@@ -131,13 +126,13 @@ class Forest {
 
   void hang_trees() {
     if (hang_block_.empty()) return;
-    hanging_.resize(view_.size());
-    for (NodeId i = view_.size(); i-- > 0;) {
+    hangs_on_.assign(view_.size(), kNone);
+    for (NodeId i = 0; i < view_.size(); ++i) {
       const NodeId v = view_.at(i);
       const NodeId entry = hang_block_[view_.flow().block[v]];
       if (entry == kNone || entry == v || !is_initial_owner(v) || parent_of(v) != kNone) continue;
-      hanging_[v].on = entry;
-      hanging_[v].next = std::exchange(hanging_[entry].first, v);
+      hangs_on_[v] = entry;
+      hung_[entry].push_back(v);
     }
   }
 
@@ -166,8 +161,7 @@ class Forest {
   }
 
   NodeId tree_above(NodeId v) const {
-    if (trees_[v].parent != kNone || hanging_.empty()) return trees_[v].parent;
-    return hanging_[v].on;
+    return trees_[v].parent != kNone || hangs_on_.empty() ? trees_[v].parent : hangs_on_[v];
   }
 
   using Children = boost::container::static_vector<NodeId, kMostSharers + 1>;
@@ -234,16 +228,18 @@ class Forest {
     for (std::size_t i = above.size(); i-- > 1;) place(above[i - 1], false);
     order_[take(1)] = v;
     if (!above.empty()) place(above.back(), true);
-    if (hanging_.empty()) return;
-    for (NodeId h = hanging_[v].first; h != kNone; h = hanging_[h].next) place(h, true);
+    const auto hung = hung_.find(v);
+    if (hung == hung_.end()) return;
+    for (const NodeId tree : hung->second) place(tree, true);
   }
 
   const View& view_;
   const Attachment& attachment_;
   LongVector<Tree> trees_;
   LongVector<NodeId> hang_block_;  // per block: the entry its other roots hang on
-  LongVector<Hanging> hanging_;    // per node; empty if no tree hangs
-  std::vector<bool> grows_right_;  // per root of a tree
+  LongVector<NodeId> hangs_on_;    // per node; empty if no tree hangs
+  std::unordered_map<NodeId, std::vector<NodeId>> hung_;  // per entry that trees hang on
+  std::vector<bool> grows_right_;                         // per root of a tree
   LongVector<NodeId> order_;
   std::uint32_t end_ = 0;  // of the indices taken
 };
