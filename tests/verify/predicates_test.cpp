@@ -10,9 +10,9 @@
 
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 #include "ar3d/base/random.h"
-#include "ar3d/verify/crossings/near_pairs.h"
 #include "ar3d/verify/predicates/choices.h"
 #include "ar3d/verify/predicates/exact.h"
+#include "ar3d/verify/predicates/functional.h"
 #include "ar3d/verify/predicates/widths.h"
 
 std::string departures_with_fast_math();

@@ -8,10 +8,6 @@
 namespace ar3d::verify {
 namespace {
 
-std::array<double, 3> rounded(Vector v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-
 std::int64_t triple(Vector u, Vector v, Vector w) {
   const Vector n = plane_normal(u, v);
   return n.x * w.x + n.y * w.y + n.z * w.z;
@@ -40,24 +36,6 @@ bool has_on_one_side(const SegmentInSpace& line, const SegmentInSpace& other) {
 bool are_apart(const Box& a, const Box& b) {
   return a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y ||
          a.high.z < b.low.z || b.high.z < a.low.z;
-}
-
-// Lemma V.9 bounds the errors.
-bool surely_skew(const SegmentInSpace& a, const SegmentInSpace& b) {
-  const auto u = rounded(a.step);
-  const auto v = rounded(b.step);
-  const auto w = rounded(b.from - a.from);
-  double triple = 0;
-  double sizes = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    const double one = u[j] * v[k];
-    const double other = u[k] * v[j];
-    triple += w[i] * (one - other);
-    sizes += std::abs(w[i]) * (std::abs(one) + std::abs(other));
-  }
-  return std::abs(triple) > 0x1p-46 * sizes;
 }
 
 bool surely_apart(const SegmentInSpace& a, const SegmentInSpace& b) {

@@ -18,17 +18,8 @@
 
 namespace ar3d::verify {
 
-/// The points from + t * step, 0 <= t <= 1; a single one if step is zero.
-struct SegmentInSpace {
-  Point from;
-  Vector step;
-};
-
 /// True if the boxes of two segments have no point in common.
 bool are_apart(const Box& a, const Box& b);
-/// True only if no line contains both segments and no plane does: their triple product, computed
-/// in double, is larger than all its rounding errors. @pre coordinates are in range.
-bool surely_skew(const SegmentInSpace& a, const SegmentInSpace& b);
 /// True only if, seen along an axis, both ends of one lie on the same side of the other's line: then
 /// they do not meet (Lemma V.10). Also in one plane, where no pair is skew. @pre as surely_skew.
 bool surely_apart(const SegmentInSpace& a, const SegmentInSpace& b);

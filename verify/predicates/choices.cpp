@@ -9,8 +9,8 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/ieee_arithmetic.h"
 #include "ar3d/model/cosine_comparison.h"
-#include "ar3d/verify/crossings/near_pairs.h"
 #include "ar3d/verify/predicates/exact.h"
+#include "ar3d/verify/predicates/functional.h"
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {

@@ -86,4 +86,33 @@ inline std::int64_t reach(double squared, double inverse_entry) {
   return static_cast<std::int64_t>(std::min(reach * 1.000001, 0x1p61)) + 1;
 }
 
+inline std::array<double, 3> rounded(Vector v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+/// The points from + t * step, 0 <= t <= 1; a single one if step is zero.
+struct SegmentInSpace {
+  Point from;
+  Vector step;
+};
+
+/// True only if no line contains both segments and no plane does: their triple product, computed
+/// in double, is larger than all its rounding errors (Lemma V.9). @pre coordinates are in range.
+inline bool surely_skew(const SegmentInSpace& a, const SegmentInSpace& b) {
+  const auto u = rounded(a.step);
+  const auto v = rounded(b.step);
+  const auto w = rounded(b.from - a.from);
+  double triple = 0;
+  double sizes = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const double one = u[j] * v[k];
+    const double other = u[k] * v[j];
+    triple += w[i] * (one - other);
+    sizes += std::abs(w[i]) * (std::abs(one) + std::abs(other));
+  }
+  return std::abs(triple) > 0x1p-46 * sizes;
+}
+
 }  // namespace ar3d::verify

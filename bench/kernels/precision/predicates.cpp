@@ -14,9 +14,9 @@
 #include "ar3d/base/ieee_arithmetic.h"
 #include "ar3d/base/random.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/verify/crossings/near_pairs.h"
 #include "ar3d/verify/predicates/choices.h"
 #include "ar3d/verify/predicates/exact.h"
+#include "ar3d/verify/predicates/functional.h"
 #include "precision.h"
 
 namespace ar3d::precision {
