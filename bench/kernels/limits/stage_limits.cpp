@@ -47,11 +47,11 @@ void count(State& state, const Graph& graph) {
   state.counters["bytes"] = static_cast<double>(bytes_of_graph(graph));
 }
 
-void draw_limit(State& state, const Algorithm& algorithm, int effort) {
+void draw_limit(State& state, const Algorithm& algorithm, const Settings& options) {
   const OneThread one_thread;
   const Graph& graph = graph_of(random_family(algorithm), size_of(state));
   for (auto _ : state) {
-    benchmark::DoNotOptimize(draw(algorithm, graph, {{"effort", effort}}).num_edges());
+    benchmark::DoNotOptimize(draw(algorithm, graph, options).num_edges());
   }
   count(state, graph);
 }
@@ -199,13 +199,19 @@ void register_stages() {
     add_limit(fmt::format("bisect/{}", name), {1'000, 10'000},
               [&family](State& state) { bisect_limit(state, family); });
   }
+  const Algorithm& two_bend = find_algorithm("two-bend-120");  // it has no efforts
+  add_limit("draw/two-bend-120/random-cubic", {1'000, 100'000},
+            [&two_bend](State& state) { draw_limit(state, two_bend, {}); });
+  add_limit("certify/two-bend-120", {1'000, 100'000},
+            [&two_bend](State& state) { certify_limit(state, two_bend); });
   for (const Algorithm* row : proved_algorithms()) {
     const Algorithm& algorithm = *row;
     const std::string& name = algorithm.name;
     for (const int effort : {0, 1}) {
       add_sizes(fmt::format("draw/{}/{}/effort:{}", name, random_family(algorithm).name, effort),
-                algorithm,
-                [effort](State& state, const Algorithm& a) { draw_limit(state, a, effort); });
+                algorithm, [effort](State& state, const Algorithm& a) {
+                  draw_limit(state, a, {{"effort", effort}});
+                });
     }
     add_sizes("certify/" + name, algorithm, certify_limit);
     add_sizes("measure/" + name, algorithm, measure_limit);
