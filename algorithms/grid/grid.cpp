@@ -12,7 +12,7 @@
 namespace ar3d::grid {
 namespace {
 
-constexpr int kHighestEffort = 1;
+constexpr int kHighestEffort = 2;
 
 std::int64_t largest_coordinate(const Planes& planes) {
   std::int64_t largest = 0;
@@ -67,7 +67,7 @@ Drawing draw_alone(const Graph& graph, const Options& options) {
   pack_components(graph, order, planes);
   Drawing drawing = to_drawing(graph, std::move(planes));
   if (graph.num_vertices() > 0) drawing.instance_bound = {side, side, side};
-  return drawing;
+  return options.effort == 2 ? squeezed(graph, std::move(drawing)) : drawing;
 }
 
 }  // namespace
@@ -95,8 +95,8 @@ Algorithm row() {
       .bound = {"proved here", "docs/theorem3.md", {own, own, own}},
       .published = {{"paper; order only, constant 1 assumed", "Theorem 3", {paper, paper, paper}}},
   };
-  row.options = {
-      effort_option(kHighestEffort, "0: the proved core; 1: flat numbers where that is possible")};
+  row.options = {effort_option(
+      kHighestEffort, "0: the proved core; 1: flat numbers where that is possible; 2: squeezed")};
   row.draw = draw_with_effort<draw>;
   return row;
 }

@@ -6,6 +6,7 @@
 #include "ar3d/algorithms/routed/boxes.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "ar3d/algorithms/routed/check.h"
 #include "ar3d/algorithms/routed/layouts.h"
@@ -82,12 +83,29 @@ class BoxSearch {
     const Placement placement = place(graph_, kStepsPerVertex, RandomStream(kSeed, 1));
     const auto frames = choose_frames(graph_, points_, bends_, RandomStream(kSeed, 2));
     Limits box = first_box(points_, bends_, graph_.num_vertices());
+    box.high = room_for(placement, box.high.x) * Spot{1, 1, 1};
     for (int go = 0; go < kFirstBoxes; ++go) {
       const auto layout = spread(points_, placement, frames, box);
       if (layout && (try_box({*layout, {}}, kPatience) || grow())) return true;
       box.high = box.high + (1 + box.longest() / 10) * Spot{1, 1, 1};
     }
     return false;
+  }
+
+  /// The last point of a side for a placement: boxes of `last` suit random graphs, whose edges take
+  /// about a fifth of the cells in a row. Tori and trees have shorter ones.
+  int room_for(const Placement& placement, int last) const {
+    std::int64_t length = 0;  // of all edges, in hundredths of a cell
+    for (const Edge& edge : graph_.edges()) {
+      const Spot d = placement.of[edge.u] - placement.of[edge.v];
+      length += 100 * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    }
+    const auto edges = static_cast<std::int64_t>(graph_.num_edges());
+    const std::int64_t usual = edges * placement.cells.x * (points_.is_body() ? 22 : 18);
+    if (10 * length >= 7 * usual) return last;
+    int least = last;
+    while (least * least * usual > last * last * length) --least;
+    return least;
   }
 
   /// Adds layers on all faces while few edges in conflict are left; all routes stay.
@@ -206,9 +224,10 @@ class BoxSearch {
 Limits first_box(const PointClass& points, int bends, std::uint64_t n) {
   // c sqrt(n) + 3, c in twentieths; it grows if no box is legal.
   const std::int64_t above = n > 1000 ? static_cast<std::int64_t>(n) - 1000 : 0;
-  const std::int64_t c = points.is_body()
-                             ? (bends == 5 ? 45 + above * 3 / 1000 : 60 + above / 80)
-                             : (bends == 5 ? 22 + above / 1200 : 28 + above * 9 / 5000);
+  const std::int64_t c =
+      points.is_body()
+          ? (bends == 5 ? 45 + above * 3 / 1000 : 60 + std::min<std::int64_t>(above, 4000) / 80)
+          : (bends == 5 ? 22 + above / 1200 : 28 + above * 9 / 5000);
   std::int64_t side = 0;
   while (400 * side * side < c * c * static_cast<std::int64_t>(n)) ++side;
   side += 3;

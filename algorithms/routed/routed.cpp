@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kHighestEffort = 2;
 constexpr std::uint32_t kMostVertices = 1u << 27;  // of the fall-backs
-constexpr std::uint32_t kMostRouted = 5000;        // larger graphs have not been tried
+constexpr std::uint32_t kMostRouted = 10000;       // larger graphs have not been tried
 constexpr int kMostMegabytes = 100000;
 
 /// The same drawing under the algorithm's own name.
@@ -42,7 +42,7 @@ Drawing renamed(const std::string& name, const Graph& graph, const Drawing& draw
 Drawing fall_back(const Algorithm& row, const Graph& graph, const Options& options) {
   const bool is_body = row.guarantee.max_degree == 4;
   Drawing first = is_body ? diamond::draw(graph, {.effort = options.effort})
-                          : grid::draw(graph, {.effort = std::min(options.effort, 1)});
+                          : grid::draw(graph, {.effort = options.effort});
   if (options.bends == 5) {
     Drawing other = is_body ? compact::draw(graph, {.effort = options.effort})
                             : compact_120::draw(graph, {.effort = options.effort});

@@ -17,7 +17,7 @@ struct Options {
 /// Draws a simple graph of maximum degree 4 (body diagonals, 109.47 degrees) or 3 (face diagonals,
 /// 120 degrees) with its edges routed through a small box by negotiated congestion, or as the
 /// fall-back draws it where that is smaller (docs/routed.md).
-/// @param graph  n <= 2^27 vertices; may be disconnected. Above 5,000 vertices the fall-back is
+/// @param graph  n <= 2^27 vertices; may be disconnected. Above 10,000 vertices the fall-back is
 /// returned at once.
 /// @return points on the unit cube grid, anywhere in space; extents within row_109()'s or
 /// row_120()'s guarantee. Fall-back: `diamond` or `grid`; with five bends the smaller of that and

@@ -259,7 +259,7 @@ TEST(Routed, OptionsOutOfRangeAndTooLittleMemoryAreRefused) {
   EXPECT_THAT(refusal(path(3), {.effort = 3}), HasSubstr("routed has efforts 0 to 2, not 3"));
   EXPECT_THAT(refusal(path(4999), {.effort = 0, .megabytes = 10}),
               HasSubstr("box, but option megabytes allows 10"));
-  EXPECT_EQ(value_of(routed::draw_109(path(5001), {.effort = 0}).counters, "routed"), 0);
+  EXPECT_EQ(value_of(routed::draw_109(path(10001), {.effort = 0}).counters, "routed"), 0);
 }
 
 /// A routing of K4 that is a drawing.
