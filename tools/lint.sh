@@ -8,6 +8,7 @@ lint() (
   scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
   all_sources "$@" >"$scratch/sources"
   lint_scripts "$@" || exit 1
+  [ -s "$scratch/sources" ] || { echo "ar3d: clang looks at nothing: no C++ among $*" >&2; exit 0; }
   clang-format --dry-run -Werror $(cat "$scratch/sources") || { echo "ar3d: not formatted; clang-format -i mends it" >&2; exit 1; }
   ninja -C "$folder" ar3d_generated >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; exit 1; }
   units_of "$folder" "$scratch/sources" >"$scratch/units"
