@@ -384,7 +384,7 @@ PYBIND11_MODULE(_core, module) {
     ListRow row;
     for (const std::string& column : columns) row.push_back({column});
     const std::optional<EndColumns> ends = ends_of_heading(row);
-    return ends ? std::vector{ends->source, ends->target} : std::vector<std::size_t>();
+    return ends ? std::vector(ends->begin(), ends->end()) : std::vector<std::size_t>();
   });
   module.def("certify", &certify_drawing);
   module.def("certify_promise", &certify_promise);
