@@ -113,11 +113,11 @@ class Turns(Program):
 
     def test_an_interrupt_leaves_nothing(self):
         version = self.one()
-        before = set(os.listdir("/tmp"))
-        self.expect(f"timeout --preserve-status -s INT 2 ar3d compare --turns {version(0)} {version(0)} --study own.toml --rounds 1000", 130,
+        os.mkdir("scratch")  # other tests write to /tmp, too
+        self.expect(f"env TMPDIR=scratch timeout --preserve-status -s INT 2 ar3d compare --turns {version(0)} {version(0)} --study own.toml --rounds 1000", 130,
                     err="interrupted while drawing; nothing was left behind")
-        self.assertEqual(sorted(os.listdir()), ["mine.py", "own.toml"])
-        self.assertEqual([name for name in set(os.listdir("/tmp")) - before if name.startswith("ar3d-turns")], [])
+        self.assertEqual(sorted(os.listdir()), ["mine.py", "own.toml", "scratch"])
+        self.assertEqual(os.listdir("scratch"), [])
 
     def test_what_could_mean_two_things_or_nothing_is_refused(self):
         self.refused("ar3d compare --turns mine other --study own.toml", "'mine' is more than one of the settings")
