@@ -12,7 +12,8 @@
 namespace ar3d::grid {
 namespace {
 
-constexpr int kDeepest = 1000;  // of ends that wait for one another
+constexpr std::size_t kInTurns = 16;  // paths
+constexpr int kDeepest = 1000;        // of ends that wait for one another
 constexpr std::int64_t kLowest = std::numeric_limits<std::int32_t>::min();
 
 }  // namespace
@@ -27,7 +28,9 @@ DefectPaths::DefectPaths(HeightPool& pool, std::span<const ColourDefect> defects
       slots_(defects.size()) {
   std::iota(by_x_.begin(), by_x_.end(), 0);
   std::ranges::sort(by_x_, {}, [&](std::size_t d) { return defects_[d].x; });
-  collect();
+  for (std::size_t d = 0; d < defects_.size(); d += kInTurns) {
+    collect(defects_.subspan(d, std::min(kInTurns, defects_.size() - d)));
+  }
 }
 
 DefectPaths::~DefectPaths() {
@@ -44,16 +47,30 @@ std::span<const std::size_t> DefectPaths::defects_at(Index x) const {
                                   static_cast<std::size_t>(last - first));
 }
 
-void DefectPaths::collect() {
-  for (const ColourDefect& defect : defects_) {
+/// Every step of a path waits for the memory, so some paths are followed in turns; what one of them
+/// has already is left out when they are added, in order.
+void DefectPaths::collect(std::span<const ColourDefect> defects) {
+  std::array<Path, kInTurns> paths;
+  std::array<Index, kInTurns> at{};
+  std::size_t count = 0;
+  for (const ColourDefect& defect : defects) {
     if (contains(defect.x)) continue;
-    Path path;
-    path.first_colour = pool_.neighbour(defect.x, 0) != kNoIndex ? 1 : 0;
-    for (Index v = defect.x; v != kNoIndex;) {
-      path.vertices.push_back(v);
-      v = pool_.neighbour(v, path.colour_of(path.vertices.size()));
+    paths[count].first_colour = pool_.neighbour(defect.x, 0) != kNoIndex ? 1 : 0;
+    at[count++] = defect.x;
+  }
+  for (bool going = count > 0; going;) {
+    going = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (at[i] == kNoIndex) continue;
+      auto& vertices = paths[i].vertices;
+      vertices.push_back(at[i]);
+      at[i] = pool_.neighbour(at[i], paths[i].colour_of(vertices.size()));
+      if (at[i] != kNoIndex) pool_.prefetch_neighbours(at[i]);
+      going = true;
     }
-    add(std::move(path));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!contains(paths[i].vertices.front())) add(std::move(paths[i]));
   }
 }
 

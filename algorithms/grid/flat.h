@@ -97,6 +97,7 @@ class HeightPool {
     __builtin_prefetch(&ports_[v]);
     __builtin_prefetch(&x_[v], 1);
   }
+  [[gnu::always_inline]] void prefetch_neighbours(Index v) const { __builtin_prefetch(&ports_[v]); }
   [[gnu::always_inline]] void prefetch_partner(Index v) const {
     if (neighbour(v, 2) != kNoIndex) __builtin_prefetch(&x_[neighbour(v, 2)]);
   }
@@ -194,7 +195,7 @@ class DefectPaths {
   bool is_x(Index v) const { return !defects_at(v).empty(); }
   std::span<const std::size_t> defects_at(Index x) const;
   std::vector<std::size_t> blocked();
-  void collect();
+  void collect(std::span<const ColourDefect> defects);
   void add(Path path);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> find_waiting();
   void begin(Path& path);
