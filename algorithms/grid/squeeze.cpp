@@ -100,7 +100,7 @@ class Blocks {
 
   /// The points of blocks, line after line: where the block changes is a gap.
   void find_gaps(const Polylines& lines) {
-    std::vector<std::pair<std::uint64_t, Block>> entries;  // the line, then the place on it
+    std::vector<std::pair<std::uint64_t, Block>> entries;  // the line, then the position on it
     const auto bits = [](std::int64_t c) { return static_cast<std::uint64_t>(c + kLongest); };
     const auto add = [&](Point p, Block block) {
       const Vector q = p - all_.low;

@@ -22,7 +22,7 @@ GOALS = [
     (r"draw/diamond/.*/n:10000000", "≤", 1.5, PASSES),
     (r"draw/grid/.*/n:1000000", "≤", 8, "Kempe chains, whose steps wait for one another, then the search and its copies"),
     (r"draw/two-bend/.*/n:1000000", "≤", 12, "two depth-first searches, whose steps wait for one another, and some twenty passes"),
-    (r"draw/two-bend-120/.*/n:100000", "≤", 100, ""),
+    (r"draw/two-bend-120/.*/n:100000", "≤", 100, "the time is spread over all steps, which read in random order"),
     (r"draw/compact/.*effort:1/n:1000000", "≤", 15, "29 cells tried per vertex, and waiting for lines and ejected neighbours"),
     (r"certify/(?!two-bend-109)[\w-]+/n:10{6,7}", "≤", 3, "the drawing is fast, and every segment is computed, stored and compared"),
     (r"measure/(?!two-bend-109)[\w-]+/n:10{6,7}", "≤", 1, "the drawing is fast, and every length takes an inner product and a root"),
