@@ -1,4 +1,4 @@
-// Growth labels on simulated truth. docs/analysis.md quotes some of what this test prints:
+// Growth labels on simulated truth. results/reference/rates.md quotes some of what this test prints:
 //   build/release/tests/ar3d_analysis_tests --gtest_filter='GrowthCalibration.*'
 #include <cmath>
 #include <cstdio>

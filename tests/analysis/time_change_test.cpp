@@ -1,6 +1,6 @@
 // The test behind every verdict on times, against brute force and published tables; then false
 // alarms and power of the verdict, on simulated machines with a stated noise model.
-// docs/analysis.md quotes the rates that these tests print as properties.
+// results/reference/rates.md quotes the rates that these tests print as properties.
 #include "ar3d/analysis/compare/time_change.h"
 
 #include <cmath>

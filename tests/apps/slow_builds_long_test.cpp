@@ -47,8 +47,8 @@ TEST(SlowBuilds, OfTenPerCentOrMoreNeverPass) {
   }
 }
 
-/// The bench of the rates in docs/analysis.md in a short form: by times, quiet and loaded, and by
-/// counts, which find what they are to find whatever the machine.
+/// The bench of the rates in results/reference/rates.md in a short form: by times, quiet and
+/// loaded, and by counts, which find what they are to find whatever the machine.
 TEST(SlowBuilds, AmongFilesNothingElseIsNamedAndCountsFindThem) {
   const Outcome rates = expect_exit(
       0, run("/usr/bin/python3 " AR3D_SOURCE_DIR

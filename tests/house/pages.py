@@ -175,13 +175,13 @@ class Told(Page):
 
     def test_shares_and_exponents_are_those_of_the_committed_tables(self):
         for name, column in (("compact-120", 4), ("two-bend-109", 5)):
-            self.assertIn(f"`{name}`", cells("docs/algorithms.md", "|")[column - 1])
-            share = cells("docs/algorithms.md", "largest share of the proved box")[column]
+            self.assertIn(f"`{name}`", cells("results/reference/algorithms.md", "|")[column - 1])
+            share = cells("results/reference/algorithms.md", "largest share of the proved box")[column]
             self.expect(share, largest_share(f"0.2.0-{name}-bounds.csv", "effort=1"),
                         largest_share(f"0.2.0-{name}-bounds.csv", "effort=0") + ", effort 0)")
         growth = "0.2.0-compact-120-growth.csv"
-        self.assertIn(exponent(growth, "longest side"), cells("docs/algorithms.md", "exponent of the longest side")[4])
-        self.assertIn(exponent(growth, "volume"), cells("docs/algorithms.md", "exponent of the volume")[4])
+        self.assertIn(exponent(growth, "longest side"), cells("results/reference/algorithms.md", "exponent of the longest side")[4])
+        self.assertIn(exponent(growth, "volume"), cells("results/reference/algorithms.md", "exponent of the volume")[4])
 
     def test_boxes_of_readme_are_medians_of_the_committed_rows(self):
         """Of random 4-regular or cubic graphs with default options, rounded to the digits that README prints."""
@@ -244,7 +244,7 @@ class Told(Page):
                 self.assertIn(f"\n| {label} | {' | '.join(told)} |\n", page("results/reference/bounds.md"))
 
     def test_lower_bounds_are_those_of_the_committed_study(self):
-        """What docs/lower-bounds.md says of random 4-regular graphs by `compact`; the bound of every row."""
+        """What results/reference/bounds.md says of random 4-regular graphs by `compact`; the bound of every row."""
         seen = []
         rows = [row for row in csv.DictReader(self.report_of("1.0.0-bounds.h5", "--rows").splitlines()) if row["status"] == "ok"]
         self.assertGreater(len(rows), 1000)
@@ -254,7 +254,7 @@ class Told(Page):
             if row["algorithm"] == "compact" and row["family"] == "random-4-regular" and row["instance"] == "0" and 631 <= n <= 2512:
                 seen.append((volume / n**1.5, bound / n**1.5, volume / bound / 100))
         least, most = zip(*((min(values), max(values)) for values in zip(*seen)))
-        self.expect(re.sub(r"(\d),(\d)", r"\1\2", page("docs/lower-bounds.md")), f"draws {least[0]:.0f} to {most[0]:.0f} n^1.5",
+        self.expect(re.sub(r"(\d),(\d)", r"\1\2", page("results/reference/bounds.md")), f"draws {least[0]:.0f} to {most[0]:.0f} n^1.5",
                     f"least {least[1]:.2f} to {most[1]:.2f} n^1.5", f"**{least[2]:.0f}00 to {most[2]:.0f}00 times")
 
     def test_compact_of_120_needed_no_zones_in_the_committed_file(self):
@@ -273,7 +273,7 @@ class Told(Page):
         self.assertEqual((len(runs), wider), (559, 22))
 
     def test_times_the_optimum_are_those_of_the_study(self):
-        """docs/optimum.md: least, median and largest of each algorithm and effort."""
+        """results/reference/optima.md: least, median and largest of each algorithm and effort."""
         self.run_in_folder(f"ar3d study run {REFERENCE}/optima.toml -q -o optima.h5\nar3d report optima.h5 --rows rows.csv")
         times = {}
         for row in csv.DictReader((self.folder / "rows.csv").read_text().splitlines()):
@@ -287,7 +287,7 @@ class Told(Page):
         for algorithm, of_efforts in times.items():
             said = [", ".join(printed(f(of_efforts[effort])) for f in (min, np.median, max)) if effort in of_efforts else "–"
                     for effort in range(3)]
-            self.assertEqual([cell.strip() for cell in cells("docs/optimum.md", f"`{algorithm}`")], said)
+            self.assertEqual([cell.strip() for cell in cells("results/reference/optima.md", f"`{algorithm}`")], said)
 
     def test_routed_is_what_the_committed_rows_say(self):
         self.expect(page("results/reference/routed.md"), *("\n" + line + "\n" for line in routed_lines()))
