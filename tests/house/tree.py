@@ -173,9 +173,10 @@ def sub_folders():
 
 
 def allowed():
-    """Who may include whom: rows "| `bench/` | ... | model, formats |" of docs/architecture.md and lines "bench/plan: spec" of
+    """Who may include whom: items "- `apps/`, `bench/`: model, formats" of docs/architecture.md and lines "bench/plan: spec" of
     tests/house/includes.txt. "everything" frees from all rules. A sub-folder without a line includes no other one."""
-    rows = re.findall(r"^\| `([a-z_/0-9]+)/` \|(?:.*\|)? ([a-z_0-9, –]+) \|$", tree()["docs/architecture.md"], re.M)
+    items = re.findall(r"^- ((?:`[a-z]+/`(?:, )?)+): ([a-z, ]+)$", tree()["docs/architecture.md"], re.M)
+    rows = [(folder, others) for folders, others in items for folder in re.findall("`([a-z]+)/`", folders)]
     rows += re.findall(r"^([a-z_/0-9]+): ([a-z_0-9, ]+)$", tree()["tests/house/includes.txt"], re.M)
     return dict.fromkeys(sub_folders(), set()) | {
         folder: None if others == "everything" else set(re.findall("[a-z_0-9]+", others)) for folder, others in rows}
