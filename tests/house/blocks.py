@@ -27,8 +27,6 @@ ELSEWHERE = {
 NOT_RUN = {
     "ar3d compare --base HEAD~1": "builds another commit, which takes minutes: tests/apps/compare_test.cpp",
     "git bisect ": "builds other commits, which takes minutes: tests/apps/bisect_test.cpp",
-    "cmake --preset fuzz && cmake --build build/fuzz --target fuzz_sparse6": "needs clang and minutes",
-    "mkdir -p /tmp/corpus && build/fuzz/tests/fuzz/fuzz_sparse6": "as the line before",
     "build/release/bench/kernels/ar3d_precision": "takes more than a minute: tests/kernels/limits_test.py",
     "tools/precision-report": "takes three minutes: tests/kernels/limits_test.py",
     "./ar3d study run extremes-large": "takes ten minutes: tests/apps/extremes_test.cpp",
