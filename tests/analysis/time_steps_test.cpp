@@ -1,4 +1,4 @@
-// Times over results: what changed, what did not, and the rates that docs/history.md states.
+// Times over results: what changed, what did not, and the rates that results/reference/rates.md states.
 #include <cmath>
 #include <cstdio>
 

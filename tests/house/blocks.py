@@ -157,8 +157,6 @@ class Folder:
         named = re.match(r"# ([\w-]+\.(?:py|toml))\n", block)
         if named:
             (self.path / named[1]).write_text(block)
-            example = self.path / "examples" / "own_program" / named[1]
-            assert not example.exists() or example.read_text() == block, f"not as it stands in examples/own_program/{named[1]}"
         return block[named.end():] if named else block
 
     def run_python(self, block):
