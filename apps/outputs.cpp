@@ -149,7 +149,7 @@ void refuse_foreign_ending(const std::string& path, const std::vector<std::strin
 
 std::vector<std::string> files_of_study(const StudyIdentity& identity, const std::string& results) {
   Study study = recorded_study(identity, results);
-  study.files.own = own_files_of(results);
+  study.own_files = own_files_of(results);
   std::vector<std::string> files = graph_files_of(study);
   files.push_back(results);
   for (const auto& program : study.spec.programs) {

@@ -123,12 +123,11 @@ void tell_limits_of_files(const JournaledStudy& study, const StudyIdentity& iden
         "hold them: its files have to stay as they are, and `resume` adds none\n",
         corpus.record.name, study.spec.graphs_bytes);
   }
-  const std::vector<std::string> come = files_come_since(study.files);
+  const std::vector<std::string> come = files_come_since(study);
   if (come.empty()) return;
   say(stderr, "ar3d: {} came after the files were listed at {}, and {} not in the results: {}{}\n",
       come.size() == 1 ? "1 file" : fmt::format("{} files", come.size()),
-      time_with_zone(*study.files.open_files->listed), come.size() == 1 ? "is" : "are",
-      first_few(come),
+      time_with_zone(*study.open_files->listed), come.size() == 1 ? "is" : "are", first_few(come),
       is_held ? fmt::format("; `ar3d study resume {}` draws them", shell_word(study.results)) : "");
 }
 
@@ -325,7 +324,7 @@ void add_resume(CLI::App& study, int& exit_code) {
     exit_code = make_study(*arguments, [&] {
       JournaledStudy study = begun_study(arguments->study);
       study.again = again;
-      study.files.grow = true;
+      study.grows = true;
       tell_growth(study);
       return study;
     });

@@ -100,35 +100,33 @@ const char* to_string(Measure measure) {
   return kNames[static_cast<std::size_t>(measure)];
 }
 
-CellTable cell_values(const Rows& rows) {
-  CellTable table;
-  table.environment = lasting_settings(rows.environment());
-  table.files = side_records<GraphFileRecord>(rows.identity());
+void take_rows(const Rows& rows, CommitResults& into) {
+  into.settings = lasting_settings(rows.environment());
+  into.graph_files = side_records<GraphFileRecord>(rows.identity());
   std::map<std::pair<CurveKey, std::int64_t>, GraphTable> cells;
   std::array<std::vector<double>, 3> yardsticks;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const RunRecord& run = rows.run(row);
     if (is_batched(run.phase)) continue;
-    if (run.status != RunStatus::ok && run.status != RunStatus::measured) ++table.unfinished;
-    table.rows_at_a_time = std::max(table.rows_at_a_time, static_cast<double>(run.concurrency));
+    if (run.status != RunStatus::ok && run.status != RunStatus::measured) ++into.unfinished;
+    into.rows_at_a_time = std::max(into.rows_at_a_time, static_cast<double>(run.concurrency));
     for (std::size_t i = 0; i < yardsticks.size(); ++i) {
       if (run.yardsticks_s[i] > 0) yardsticks[i].push_back(std::log(run.yardsticks_s[i]));
     }
-    if (table.build_kind.empty()) table.build_kind = run.build_kind;
+    if (into.build_kind.empty()) into.build_kind = run.build_kind;
     const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
     add_row(run, cells[{curve_of(run), n}][{run.requested_n, run.instance_index, run.seed}]);
   }
   for (std::size_t i = 0; i < yardsticks.size(); ++i) {
-    table.yardsticks[i] = median(std::move(yardsticks[i]));
+    into.yardsticks[i] = median(std::move(yardsticks[i]));
   }
   for (const auto& [key, graphs] : cells) {
     std::string names;
     for (const auto& [graph, values] : graphs) {
       names += fmt::format("{} {} {} ", std::get<0>(graph), std::get<1>(graph), values.graph_hash);
     }
-    table.cells[{key.first, key.second, content_hash(names)}] = values_of(graphs);
+    into.cells[{key.first, key.second, content_hash(names)}] = values_of(graphs);
   }
-  return table;
 }
 
 }  // namespace ar3d

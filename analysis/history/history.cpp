@@ -44,8 +44,8 @@ void read_file_name(const fs::path& path, CommitResults& into) {
 }
 
 /// Returns the mean of the short yardsticks, as log_slowness of a row.
-double log_slowness(const CellTable& table) {
-  return (table.yardsticks[0] + table.yardsticks[2]) / 2;
+double log_slowness(const CommitResults& results) {
+  return (results.yardsticks[0] + results.yardsticks[2]) / 2;
 }
 
 CommitResults read_one(const std::string& path) {
@@ -56,11 +56,11 @@ CommitResults read_one(const std::string& path) {
   read.source_hash = rows.identity().source_hash;
   read.study = rows.identity().study_id;
   read.created = rows.identity().created;
-  read.table = cell_values(rows);
-  const std::string load = load_of_other_work(rows.environment(), read.table.rows_at_a_time);
-  if (!read.table.build_kind.empty()) {
-    read.untimed = fmt::format("a {} build", one_line(read.table.build_kind));
-  } else if (!load.empty() && std::isnan(log_slowness(read.table))) {
+  take_rows(rows, read);
+  const std::string load = load_of_other_work(rows.environment(), read.rows_at_a_time);
+  if (!read.build_kind.empty()) {
+    read.untimed = fmt::format("a {} build", one_line(read.build_kind));
+  } else if (!load.empty() && std::isnan(log_slowness(read))) {
     read.untimed = fmt::format("a busy machine (load {})", one_line(load));
   }
   return read;
@@ -74,7 +74,7 @@ using Lines = std::map<LineKey, HistoryLine>;
 /// taken off their levels.
 void add_values(std::size_t result, const CommitResults& commit, double unit, double more,
                 Lines& lines) {
-  for (const auto& [cell, values] : commit.table.cells) {
+  for (const auto& [cell, values] : commit.cells) {
     for (std::size_t i = 0; i < kMeasures.size(); ++i) {
       const bool is_time = kMeasures[i] == Measure::time;
       const double value = is_time ? std::exp(values.times.level - more + unit) : values.means[i];
@@ -197,7 +197,7 @@ void judge_times(std::size_t begin, std::size_t end, const TimeRule& rule, Histo
   std::sort(results.begin(), results.end());
   results.erase(std::unique(results.begin(), results.end()), results.end());
   for (const std::size_t result : results) {
-    series.yardsticks.push_back(history.results[result].table.yardsticks);
+    series.yardsticks.push_back(history.results[result].yardsticks);
     series.results.emplace_back(cells.size());
   }
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
@@ -252,19 +252,19 @@ std::size_t index_of(const std::map<std::string, std::string>& environment,
 void name_files_alike(std::vector<CommitResults>& read) {
   std::map<std::string, std::string> last_name;  // by the hash of the graphs
   for (const CommitResults& one : read) {
-    for (const GraphFileRecord& file : one.table.files) last_name[file.hash] = file.name;
+    for (const GraphFileRecord& file : one.graph_files) last_name[file.hash] = file.name;
   }
   for (CommitResults& one : read) {
     std::map<std::string, std::string> renamed;
-    for (const GraphFileRecord& file : one.table.files) renamed[file.name] = last_name[file.hash];
+    for (const GraphFileRecord& file : one.graph_files) renamed[file.name] = last_name[file.hash];
     std::map<HistoryCell, CellValues> cells;
-    for (auto& [cell, values] : one.table.cells) {
+    for (auto& [cell, values] : one.cells) {
       HistoryCell named = cell;
       const auto at = renamed.find(cell.curve.family);
       if (at != renamed.end()) named.curve.family = at->second;
       cells.emplace(std::move(named), std::move(values));
     }
-    one.table.cells = std::move(cells);
+    one.cells = std::move(cells);
   }
 }
 
@@ -312,15 +312,15 @@ History read_history(const std::string& folder, const CompareOptions& rule) {
   Lines lines;
   std::map<std::size_t, std::vector<double>> slownesses;  // by environment
   for (CommitResults& one : read) {
-    one.environment = index_of(one.table.environment, history.environments);
-    slownesses[one.environment].push_back(log_slowness(one.table));
+    one.environment = index_of(one.settings, history.environments);
+    slownesses[one.environment].push_back(log_slowness(one));
   }
   for (CommitResults& one : read) {
-    const double own = log_slowness(one.table), usual = median(slownesses[one.environment]);
+    const double own = log_slowness(one), usual = median(slownesses[one.environment]);
     const double unit = std::isnan(usual) ? 0 : usual;
     if (!std::isnan(own)) one.slowness = std::exp(own - unit);
     add_values(history.results.size(), one, unit, std::isnan(own) ? unit : 0, lines);
-    one.table.cells.clear();
+    one.cells.clear();
     history.results.push_back(std::move(one));
   }
   for (auto& [key, line] : lines) {

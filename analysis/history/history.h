@@ -45,22 +45,6 @@ struct CellValues {
   CellValues() { means.fill(kMissing); }
 };
 
-/// Holds what a history keeps of the rows of a results file and of what stands beside them.
-struct CellTable {
-  std::map<HistoryCell, CellValues> cells;
-  std::size_t unfinished = 0;  ///< rows neither ok nor measured: their cells have no values
-  double rows_at_a_time = 1;   ///< the largest concurrency
-  std::string build_kind;      ///< of a row that has one
-  /// Holds medians of the logarithms of the yardsticks near the rows; NaN without any.
-  std::array<double, 3> yardsticks{};
-  std::map<std::string, std::string> environment;  ///< lasting_settings
-  std::vector<GraphFileRecord> files;
-};
-
-/// Passes once over the rows; those of batches (strong, weak) are left out. Memory: that of the
-/// graphs. Cost: O(r log r) for r rows.
-CellTable cell_values(const Rows& rows);
-
 /// Holds times of one study in one environment, over its results in their order.
 struct TimeSeries {
   std::vector<std::string> settings;              ///< which setting each cell is of
@@ -110,8 +94,20 @@ struct CommitResults {
   /// Holds how many times as long the short yardsticks took as in the median of the results of its
   /// environment: its times are divided by that. 1 without yardsticks.
   double slowness = 1;
-  CellTable table;  ///< without its cells, which are in History::lines
+  // What its rows and the tables beside them say:
+  std::map<HistoryCell, CellValues> cells;  ///< none in a History, whose lines have them
+  std::size_t unfinished = 0;  ///< rows neither ok nor measured: their cells have no values
+  double rows_at_a_time = 1;   ///< the largest concurrency
+  std::string build_kind;      ///< of a row that has one
+  /// Holds medians of the logarithms of the yardsticks near the rows; NaN without any.
+  std::array<double, 3> yardsticks{};
+  std::map<std::string, std::string> settings;  ///< lasting_settings
+  std::vector<GraphFileRecord> graph_files;
 };
+
+/// Takes in what one pass over the rows tells; those of batches (strong, weak) are left out. Memory:
+/// that of the graphs. Cost: O(r log r) for r rows.
+void take_rows(const Rows& rows, CommitResults& into);
 
 /// Describes one measure of one cell over the commits, in one environment.
 struct HistoryLine {

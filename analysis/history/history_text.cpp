@@ -128,7 +128,7 @@ std::vector<Table> history_tables(const History& history, const std::string& fol
                         std::ranges::count(history.lines, true, &HistoryLine::is_judged)});
   for (const CommitResults& one : history.results) {
     table("results").add({one.index, one.name, one.source_hash.substr(0, 12), one.study,
-                          one.created, one.environment + 1, one.table.unfinished, one.slowness,
+                          one.created, one.environment + 1, one.unfinished, one.slowness,
                           one.untimed});
   }
   for (std::size_t i = 0; i < history.lines.size(); ++i) {

@@ -240,8 +240,8 @@ void add_pairs(TableMaker& make, const Collection& of, std::size_t measure,
                  kCompared[measure].value(pair[0]->second[measure]),
                  kCompared[measure].value(pair[1]->second[measure]),
                  std::pow(10, ratio_of(pair, measure)),
-                 make.graphs.add(of.settings[a].second->index, *pair[0]->first),
-                 make.graphs.add(of.settings[b].second->index, *pair[1]->first), is_outlier});
+                 make.add_graph(of.settings[a].second->index, *pair[0]->first),
+                 make.add_graph(of.settings[b].second->index, *pair[1]->first), is_outlier});
     };
     for (const GraphPair& pair : outliers(all)) add(pair, true);
     for (const GraphPair& pair : evenly(all, most_points)) add(pair, false);

@@ -130,7 +130,7 @@ void add_points(TableMaker& make, std::size_t most) {
         if (graphs.empty()) continue;
         std::ranges::stable_sort(graphs, {}, side);
         for (const DrawnGraph* graph : evenly(graphs, most))
-          make.graphs.add(curve.index, *graph, true);
+          make.add_graph(curve.index, *graph, true);
         for (const Quantity quantity : {Quantity::volume, Quantity::wall_s}) {
           if (quantity == Quantity::wall_s && !timed) continue;
           const DrawnGraph* largest =
@@ -138,10 +138,10 @@ void add_points(TableMaker& make, std::size_t most) {
                 const double log = log_value(*graph, quantity, timed);
                 return std::isnan(log) ? -std::numeric_limits<double>::infinity() : log;
               });
-          make.graphs.add(curve.index, *largest, true);
+          make.add_graph(curve.index, *largest, true);
         }
       }
-      for (const DrawnGraph& row : curve.tally->censored) make.graphs.add(curve.index, row, true);
+      for (const DrawnGraph& row : curve.tally->censored) make.add_graph(curve.index, row, true);
     }
   }
 }

@@ -126,8 +126,8 @@ void add_shares(TableMaker& make) {
           if (closest == nullptr || at->second->share() > closest->share()) closest = at->second;
         }
         if (closest == nullptr) continue;
-        table.add({i, curve.index, first, last, closest->share(),
-                   make.graphs.add(curve.index, *closest)});
+        table.add(
+            {i, curve.index, first, last, closest->share(), make.add_graph(curve.index, *closest)});
       }
     }
   }
@@ -224,7 +224,7 @@ void fill_growth(const StudyAnalysis& analysis, const std::vector<Section>& sect
 void add_families(TableMaker& make) {
   const std::vector<CurveTally>& curves = make.analysis.tally.curves;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (const auto worst = worst_axis(curves[i])) make.graphs.add(i, curves[i].axes[*worst].worst);
+    if (const auto worst = worst_axis(curves[i])) make.add_graph(i, curves[i].axes[*worst].worst);
   }
   fill_bounds(make.analysis, make.sections, make.table("bounds"));
   fill_growth(make.analysis, make.sections, make.table("growth"));

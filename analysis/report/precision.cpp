@@ -131,7 +131,7 @@ class RealDrawings {
       for (const DrawnGraph& graph : size.graphs) {
         if (!std::ranges::binary_search(rows, graph.row)) continue;
         if (!make_.all && ++added > kMostPointsOfCurve) return;
-        make_.graphs.add(curve, graph);
+        make_.add_graph(curve, graph);
       }
     }
   }

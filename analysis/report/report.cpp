@@ -65,7 +65,7 @@ std::string render_page(std::string_view page, std::string_view title,
 std::vector<Table> report_tables(const StudyAnalysis& analysis, const SinceReference& since,
                                  const ShownDrawings& drawings, bool all) {
   const std::vector<report::Section> sections = report::sections(analysis);
-  report::TableMaker make{analysis, since, sections, all, report::GraphList(analysis)};
+  report::TableMaker make{analysis, since, sections, all};
   report::add_verdict(make);
   report::add_background(make);
   report::add_families(make);
@@ -73,7 +73,7 @@ std::vector<Table> report_tables(const StudyAnalysis& analysis, const SinceRefer
   report::add_trade(make);
   report::add_collections(make);
   report::add_precision(make);
-  make.graphs.fill(drawings.page_of_row, sections, make.table("graphs"));
+  make.fill_graphs(drawings.page_of_row);
   return std::move(make.tables);
 }
 

@@ -101,19 +101,19 @@ std::size_t count_families(const std::set<std::string>& family_labels) {
   return names.size();
 }
 
-std::size_t GraphList::add(std::size_t curve, const DrawnGraph& graph, bool point) {
-  const auto [at, is_new] = rows_.try_emplace(graph.row, curve, DrawnGraph());
+std::size_t TableMaker::add_graph(std::size_t curve, const DrawnGraph& graph, bool point) {
+  const auto [at, is_new] = graphs.try_emplace(graph.row, curve, DrawnGraph());
   DrawnGraph& noted = at->second.second;
   if (is_new || graph.status != RunStatus::ok) {
     noted = graph;
     noted.metrics.clear();
   }
-  if (point) points_.insert(graph.row);
+  if (point) points.insert(graph.row);
   return graph.row;
 }
 
-void GraphList::add_row(std::size_t row) {
-  if (rows_.contains(row)) return;
+void TableMaker::add_row(std::size_t row) {
+  if (graphs.contains(row)) return;
   const RunRecord run = analysis.rows.run(row);
   const auto at = std::ranges::find(analysis.tally.curves, curve_of(run), &CurveTally::key);
   if (at == analysis.tally.curves.end()) return;
@@ -124,16 +124,16 @@ void GraphList::add_row(std::size_t row) {
   graph.extents = run.extents, graph.theorem_bound = run.theorem_bound;
   graph.published_bound = run.published_bound;
   const auto curve = static_cast<std::size_t>(at - analysis.tally.curves.begin());
-  rows_[row] = {curve, graph};
+  graphs[row] = {curve, graph};
 }
 
-void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
-                     const std::vector<Section>& sections, Table& table) const {
+void TableMaker::fill_graphs(const std::map<std::size_t, std::size_t>& drawings) {
+  Table& listed = table("graphs");
   const auto indices = curves_by_index(sections);
-  for (const auto& entry : rows_) {
+  for (const auto& entry : graphs) {
     const std::uint64_t row = entry.first;
     const auto& [index, graph] = entry.second;
-    const bool is_point = points_.contains(row);
+    const bool is_point = points.contains(row);
     const bool timed = analysis.tally.curves[index].has_timing_rows;
     const auto curve = indices.find(index);
     const auto over = [&, &graph = graph](Quantity quantity) {
@@ -167,7 +167,7 @@ void GraphList::fill(const std::map<std::size_t, std::size_t>& drawings,
     for (const auto& bounds : {graph.theorem_bound, graph.published_bound}) {
       for (const double bound : bounds) cells.push_back(bound);
     }
-    table.add(std::move(cells));
+    listed.add(std::move(cells));
   }
 }
 

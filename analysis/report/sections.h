@@ -66,27 +66,6 @@ const char* unit_of(const Section& section, Quantity quantity);
 /// Returns the interval that is shown with a growth (docs/analysis.md, Growth, points 4 and 5).
 Interval told_interval(const ScalingEntry& entry);
 
-/// Represents the graphs that tables point at by their rows: the table `graphs` says what each is.
-class GraphList {
- public:
-  explicit GraphList(const StudyAnalysis& of) : analysis(of) {}
-
-  const StudyAnalysis& analysis;
-
-  /// Notes the graph. @param curve  in the tally. @param point  it is a point of the growth figures.
-  /// @return its row.
-  std::size_t add(std::size_t curve, const DrawnGraph& graph, bool point = false);
-  /// Notes any row of the study; nothing if its curve is in no table.
-  void add_row(std::size_t row);
-  /// Fills the table `graphs`. @param drawings  which drawing of the viewer's page shows a row.
-  void fill(const std::map<std::size_t, std::size_t>& drawings,
-            const std::vector<Section>& sections, Table& table) const;
-
- private:
-  std::map<std::size_t, std::pair<std::size_t, DrawnGraph>> rows_;  // with their curves
-  std::set<std::size_t> points_;
-};
-
 /// Holds the first and the last of sizes that stand together, and of them the one nearest to the
 /// middle of the logarithmic scale.
 struct SizeBin {
@@ -103,17 +82,27 @@ std::vector<SizeBin> bins_of_study(const std::vector<Section>& sections, std::si
 /// Returns the bin with this n.
 const SizeBin& bin_of(const std::vector<SizeBin>& bins, std::int64_t n);
 
-/// Holds what the makers of tables read, and where their tables go.
+/// Holds what the makers of tables read, and where their tables go. The table `graphs` says what each
+/// graph is that other tables point at by its row.
 struct TableMaker {
   const StudyAnalysis& analysis;
   const SinceReference& since;
   const std::vector<Section>& sections;
   bool all = true;  ///< false: what the page shows
-  GraphList graphs;
   std::vector<SizeBin> bins = bins_of_study(sections, kMostBinsOfStudy);  ///< of curves and trade
   std::vector<Table> tables = empty_tables("report");
+  std::map<std::size_t, std::pair<std::size_t, DrawnGraph>> graphs =
+      {};                             ///< by row, with their curves
+  std::set<std::size_t> points = {};  ///< rows of graphs that are points of the growth figures
 
   Table& table(std::string_view name) { return table_named(name, tables); }
+  /// Notes the graph. @param curve  in the tally. @param point  it is a point of the growth figures.
+  /// @return its row.
+  std::size_t add_graph(std::size_t curve, const DrawnGraph& graph, bool point = false);
+  /// Notes any row of the study; nothing if its curve is in no table.
+  void add_row(std::size_t row);
+  /// Fills the table `graphs`. @param drawings  which drawing of the viewer's page shows a row.
+  void fill_graphs(const std::map<std::size_t, std::size_t>& drawings);
 };
 
 // Each fills its tables; they stay empty where the study has nothing to tell.

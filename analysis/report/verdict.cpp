@@ -35,7 +35,7 @@ void add_findings(TableMaker& make) {
   Table& findings = make.table("findings");
   for (const Finding& finding : verdict.findings) {
     if (!make.all && findings.size() == kShownFindings) break;
-    if (finding.row) make.graphs.add_row(*finding.row);
+    if (finding.row) make.add_row(*finding.row);
     findings.add({to_string(finding.kind), is_violation(finding.kind), finding.row, finding.subject,
                   finding.message, finding.command});
   }
@@ -109,7 +109,7 @@ void add_settings(TableMaker& make) {
       const DrawnGraph& graph = closest.tally->axes[*axis].worst;
       std::ranges::copy(
           std::initializer_list<TableCell>{1 - closest.least_slack(), closest.name, graph.n,
-                                           make.graphs.add(closest.index, graph),
+                                           make.add_graph(closest.index, graph),
                                            std::string(1, "xyz"[*axis]), graph.extents[*axis],
                                            graph.theorem_bound[*axis]},
           row.end() - 7);

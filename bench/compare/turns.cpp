@@ -56,126 +56,76 @@ void require_alike(toml::table base, toml::table now) {
   }
 }
 
-/// Makes the study of both sides, sweep by sweep.
-class BothSides {
- public:
-  BothSides(const std::vector<Study>& sides, const std::vector<CurveKey>& settings)
-      : sides_(sides), settings_(settings) {}
+bool is_program(const std::vector<Study>& sides, const std::string& algorithm) {
+  return std::ranges::any_of(sides, [&](const Study& side) {
+    return std::ranges::any_of(side.spec.programs,
+                               [&](const auto& own) { return own->row.name == algorithm; });
+  });
+}
 
-  std::tuple<Study, std::vector<SettingPair>, std::vector<std::string>> study(
-      std::size_t rounds, std::size_t otherwise) {
-    std::array<toml::table, 2> texts;
-    toml::array programs, sweeps;
-    for (const std::size_t side : {0U, 1U}) {
-      const Study& study = sides_[side];
-      texts[side] = parse_toml(movable_text(study), study.spec.name);
-      for (const char* key : {"count", "keep_drawings", "description"}) texts[side].erase(key);
-      for_each_table(texts[side], "algorithm", [&](toml::table& program) {
-        const std::string name = program["name"].value_or(std::string());
-        program.insert_or_assign("name", name + kSuffixes[side]);
-        programs.push_back(program);
-      });
-    }
-    require_alike(texts[0], texts[1]);
-    toml::table& text = texts[0];
-    for_each_table(text, "sweep", [&, number = std::size_t{0}](toml::table& sweep) mutable {
-      const toml::array algorithms = algorithms_of(number++);
-      if (algorithms.empty()) return;
-      sweep.insert_or_assign("algorithms", algorithms);
-      for (const char* key : {"strong", "weak", "strong_ranks", "weak_ranks"}) sweep.erase(key);
-      if (rounds > 0 || !sweep.contains("timed_repetitions")) {
-        const std::size_t timed = rounds > 0 ? rounds : otherwise;
-        sweep.insert_or_assign("timed_repetitions", static_cast<std::int64_t>(timed));
-      }
-      for (const char* key : {"include", "exclude"}) say_of_both(sweep, key);
-      sweeps.push_back(sweep);
-    });
-    if (pairs_.empty()) {
-      throw InputError(fmt::format("nothing to compare: {}", fmt::join(remarks_, "; ")));
-    }
-    if (!programs.empty()) text.insert_or_assign("algorithm", programs);
-    text.insert_or_assign("sweep", sweeps);
-    if (toml::table* const most = text["max_n"].as_table()) say_of_both(*most);
-    text.insert("timing", toml::table());  // unless it is there
-    text["timing"].as_table()->insert_or_assign("restart", true);
-    text.insert_or_assign("study", sides_[0].spec.name + "-turns");
-    return {parse_study(toml_text_of(text), "the study in turns"), std::move(pairs_),
-            std::move(remarks_)};
+/// What is said of a program holds of both its versions.
+void say_of_both(const std::vector<Study>& sides, toml::table& most) {
+  const toml::table said = most;
+  for (const auto& [name, n] : said) {
+    if (!is_program(sides, std::string(name.str()))) continue;
+    for (const char* suffix : kSuffixes) most.insert(std::string(name.str()) + suffix, n);
+    most.erase(name.str());
   }
+}
 
- private:
-  bool is_program(const std::string& algorithm) const {
-    return std::ranges::any_of(sides_, [&](const Study& side) {
-      return std::ranges::any_of(side.spec.programs,
-                                 [&](const auto& own) { return own->row.name == algorithm; });
-    });
-  }
+void say_of_both(const std::vector<Study>& sides, toml::table& sweep, const char* key) {
+  toml::array patterns;
+  for_each_table(sweep, key, [&](toml::table& pattern) {
+    const std::string name = pattern["algorithm"].value_or(std::string());
+    if (!is_program(sides, name)) return patterns.push_back(pattern);
+    for (const char* suffix : kSuffixes) {
+      pattern.insert_or_assign("algorithm", name + suffix);
+      patterns.push_back(pattern);
+    }
+  });
+  if (!patterns.empty()) sweep.insert_or_assign(key, patterns);
+}
 
-  // What is said of a program holds of both its versions.
-  void say_of_both(toml::table& most) const {
-    const toml::table said = most;
-    for (const auto& [name, n] : said) {
-      if (!is_program(std::string(name.str()))) continue;
-      for (const char* suffix : kSuffixes) most.insert(std::string(name.str()) + suffix, n);
-      most.erase(name.str());
-    }
+/// The algorithms of one sweep of both sides; none: it has no setting of one of them.
+/// @param pairs, remarks  get what turns_of returns.
+toml::array algorithms_of(const std::vector<Study>& sides, const std::vector<CurveKey>& only,
+                          std::size_t sweep, std::vector<SettingPair>& pairs,
+                          std::vector<std::string>& remarks) {
+  std::array<std::vector<CurveKey>, 2> settings;
+  for (const std::size_t side : {0U, 1U}) {
+    settings[side] =
+        settings_of(sides[side].spec.sweeps[sweep], only.empty() ? nullptr : &only[side]);
+    if (settings[side].empty()) return {};
   }
-  void say_of_both(toml::table& sweep, const char* key) const {
-    toml::array patterns;
-    for_each_table(sweep, key, [&](toml::table& pattern) {
-      const std::string name = pattern["algorithm"].value_or(std::string());
-      if (!is_program(name)) return patterns.push_back(pattern);
-      for (const char* suffix : kSuffixes) {
-        pattern.insert_or_assign("algorithm", name + suffix);
-        patterns.push_back(pattern);
-      }
-    });
-    if (!patterns.empty()) sweep.insert_or_assign(key, patterns);
+  const std::size_t count = settings[0].size();
+  if (count != settings[1].size()) {
+    throw InputError(fmt::format("sweep {} has {} settings on one side and {} on the other",
+                                 sweep + 1, count, settings[1].size()));
   }
-
-  // The algorithms of one sweep of both sides; none: it has no setting of one of them.
-  toml::array algorithms_of(std::size_t sweep) {
-    std::array<std::vector<CurveKey>, 2> settings;
-    for (const std::size_t side : {0U, 1U}) {
-      settings[side] = settings_of(sides_[side].spec.sweeps[sweep],
-                                   settings_.empty() ? nullptr : &settings_[side]);
-      if (settings[side].empty()) return {};
+  std::vector<CurveKey> compared;
+  for (std::size_t i = 0; i < count; ++i) {
+    SettingPair pair = {"", settings[0][i], settings[1][i]};
+    const bool is_same = pair.base == pair.now;
+    pair.name = algorithm_label(pair.base);
+    if (is_same && !is_program(sides, pair.base.algorithm)) {
+      add_once(remarks, pair.name + " is the same on both sides: not compared");
+      continue;
     }
-    const std::size_t count = settings[0].size();
-    if (count != settings[1].size()) {
-      throw InputError(fmt::format("sweep {} has {} settings on one side and {} on the other",
-                                   sweep + 1, count, settings[1].size()));
-    }
-    std::vector<CurveKey> compared;
-    for (std::size_t i = 0; i < count; ++i) {
-      SettingPair pair = {"", settings[0][i], settings[1][i]};
-      const bool is_same = pair.base == pair.now;
-      pair.name = algorithm_label(pair.base);
-      if (is_same && !is_program(pair.base.algorithm)) {
-        add_once(remarks_, pair.name + " is the same on both sides: not compared");
-        continue;
-      }
-      if (!is_same) pair.name += " -> " + algorithm_label(pair.now);
-      if (is_program(pair.base.algorithm)) pair.base.algorithm += kSuffixes[0];
-      if (is_program(pair.now.algorithm)) pair.now.algorithm += kSuffixes[1];
-      add_once(pairs_, pair);
-      add_once(compared, pair.base);
-      add_once(compared, pair.now);
-    }
-    toml::array algorithms;
-    for (const CurveKey& key : compared) {
-      toml::table& entry = algorithms.emplace_back<toml::table>();
-      entry.insert("algorithm", key.algorithm);
-      for (const auto& [name, value] : parse_settings(key.options)) entry.insert(name, value);
-    }
-    return algorithms;
+    if (!is_same) pair.name += " -> " + algorithm_label(pair.now);
+    if (is_program(sides, pair.base.algorithm)) pair.base.algorithm += kSuffixes[0];
+    if (is_program(sides, pair.now.algorithm)) pair.now.algorithm += kSuffixes[1];
+    add_once(pairs, pair);
+    add_once(compared, pair.base);
+    add_once(compared, pair.now);
   }
-
-  const std::vector<Study>& sides_;
-  const std::vector<CurveKey>& settings_;
-  std::vector<SettingPair> pairs_;
-  std::vector<std::string> remarks_;
-};
+  toml::array algorithms;
+  for (const CurveKey& key : compared) {
+    toml::table& entry = algorithms.emplace_back<toml::table>();
+    entry.insert("algorithm", key.algorithm);
+    for (const auto& [name, value] : parse_settings(key.options)) entry.insert(name, value);
+  }
+  return algorithms;
+}
 
 /// Gives every program of a study another command.
 Study with_commands(const Study& study,
@@ -201,7 +151,45 @@ std::vector<CurveKey> settings_of(const StudySpec& spec) {
 std::tuple<Study, std::vector<SettingPair>, std::vector<std::string>> turns_of(
     const std::vector<Study>& sides, const std::vector<CurveKey>& settings, std::size_t rounds,
     std::size_t otherwise) {
-  return BothSides(sides, settings).study(rounds, otherwise);
+  std::array<toml::table, 2> texts;
+  toml::array programs, sweeps;
+  std::vector<SettingPair> pairs;
+  std::vector<std::string> remarks;
+  for (const std::size_t side : {0U, 1U}) {
+    const Study& study = sides[side];
+    texts[side] = parse_toml(movable_text(study), study.spec.name);
+    for (const char* key : {"count", "keep_drawings", "description"}) texts[side].erase(key);
+    for_each_table(texts[side], "algorithm", [&](toml::table& program) {
+      const std::string name = program["name"].value_or(std::string());
+      program.insert_or_assign("name", name + kSuffixes[side]);
+      programs.push_back(program);
+    });
+  }
+  require_alike(texts[0], texts[1]);
+  toml::table& text = texts[0];
+  for_each_table(text, "sweep", [&, number = std::size_t{0}](toml::table& sweep) mutable {
+    const toml::array algorithms = algorithms_of(sides, settings, number++, pairs, remarks);
+    if (algorithms.empty()) return;
+    sweep.insert_or_assign("algorithms", algorithms);
+    for (const char* key : {"strong", "weak", "strong_ranks", "weak_ranks"}) sweep.erase(key);
+    if (rounds > 0 || !sweep.contains("timed_repetitions")) {
+      const std::size_t timed = rounds > 0 ? rounds : otherwise;
+      sweep.insert_or_assign("timed_repetitions", static_cast<std::int64_t>(timed));
+    }
+    for (const char* key : {"include", "exclude"}) say_of_both(sides, sweep, key);
+    sweeps.push_back(sweep);
+  });
+  if (pairs.empty()) {
+    throw InputError(fmt::format("nothing to compare: {}", fmt::join(remarks, "; ")));
+  }
+  if (!programs.empty()) text.insert_or_assign("algorithm", programs);
+  text.insert_or_assign("sweep", sweeps);
+  if (toml::table* const most = text["max_n"].as_table()) say_of_both(sides, *most);
+  text.insert("timing", toml::table());  // unless it is there
+  text["timing"].as_table()->insert_or_assign("restart", true);
+  text.insert_or_assign("study", sides[0].spec.name + "-turns");
+  return {parse_study(toml_text_of(text), "the study in turns"), std::move(pairs),
+          std::move(remarks)};
 }
 
 Study with_command(const Study& study, const std::string& command) {

@@ -1,12 +1,9 @@
 // Parts of a graph, their vertices numbered anew.
-#include <boost/graph/breadth_first_search.hpp>
-#include <boost/graph/two_bit_color_map.hpp>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "ar3d/bench/corpus/corpus.h"
-#include "ar3d/model/boost_graph.h"
 
 namespace ar3d {
 namespace {
@@ -23,19 +20,6 @@ Graph renamed(const Graph& graph, const std::vector<Vertex>& new_name, Vertex n)
   return Graph(n, std::move(edges));
 }
 
-/// The queue of a search, which keeps what has left it and ends the search once it has found
-/// enough.
-struct FirstFound {
-  std::vector<Vertex> list;
-  std::size_t most;
-  std::size_t next = 0;
-
-  bool empty() const { return next == list.size() || list.size() >= most; }
-  Vertex top() const { return list[next]; }
-  void pop() { ++next; }
-  void push(Vertex v) { list.push_back(v); }
-};
-
 }  // namespace
 
 Graph induced(const Graph& graph, const std::vector<bool>& keep) {
@@ -50,14 +34,21 @@ Graph induced(const Graph& graph, const std::vector<bool>& keep) {
 Graph breadth_first_piece(const Graph& graph, std::uint64_t n) {
   if (n >= graph.num_vertices()) return graph;
   std::vector<Vertex> new_name(graph.num_vertices(), kAbsent);
-  FirstFound found{{}, n};
-  auto colours =
-      boost::make_two_bit_color_map(graph.num_vertices(), boost::identity_property_map());
-  for (Vertex start = 0; found.list.size() < n; ++start) {
-    if (get(colours, start) != boost::two_bit_white) continue;
-    boost::breadth_first_visit(graph, start, found, boost::default_bfs_visitor(), colours);
+  std::vector<Vertex> found;
+  std::vector<bool> is_found(graph.num_vertices());
+  const auto find = [&](Vertex v) {
+    if (is_found[v]) return;
+    is_found[v] = true;
+    found.push_back(v);
+  };
+  std::size_t next = 0;
+  for (Vertex start = 0; found.size() < n; ++start) {
+    find(start);
+    for (; next < found.size() && found.size() < n; ++next) {
+      for (const HalfEdge& half : graph.incident(found[next])) find(half.to);
+    }
   }
-  for (Vertex name = 0; name < n; ++name) new_name[found.list[name]] = name;
+  for (Vertex name = 0; name < n; ++name) new_name[found[name]] = name;
   return renamed(graph, new_name, static_cast<Vertex>(n));
 }
 

@@ -38,7 +38,7 @@ JournaledStudy new_study(const Study& begun, const Shard& shard, const std::stri
         journals.front(), shell_word(study.results)));
   }
   require_writable(study.results);
-  study.files.own = own_files_of(study.results);
+  study.own_files = own_files_of(study.results);
   return study;
 }
 
@@ -49,7 +49,7 @@ JournaledStudy begun_study(const std::string& journal_or_results) {
   const StudyIdentity identity =
       in_results ? Rows(results).identity() : journal_status(journals.front()).identity;
   Study study = recorded_study(identity, in_results ? results : journals.front());
-  study.files.own = own_files_of(results);
+  study.own_files = own_files_of(results);
   return {std::move(study), identity.shard, results, identity.created, in_results, !in_results};
 }
 
@@ -63,8 +63,8 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
   StudyIdentity identity = study ? identity_of(*study, StudyPlan()) : StudyIdentity();
   identity = parse_identity(ranks.from_first(identity_text(identity)), results);
   Study same = recorded_study(identity, results);
-  same.files.own = own_files_of(results);
-  if (study) same.files.open_files = study->files.open_files;
+  same.own_files = own_files_of(results);
+  if (study) same.open_files = study->open_files;
   together(ranks, [&same] { corpora_of(same); });  // so that all ranks have read the same graphs
   return {std::move(same),
           identity.shard,

@@ -14,7 +14,7 @@ namespace ar3d {
 namespace {
 
 bool has_grown(const Study& study) {
-  return study.files.grow && std::ranges::any_of(corpora_of(study), [](const StudyCorpus& corpus) {
+  return study.grows && std::ranges::any_of(corpora_of(study), [](const StudyCorpus& corpus) {
            const auto& [added, changed, gone] = corpus.corpus->growth();
            return !added.empty() || !changed.empty();
          });
@@ -28,7 +28,7 @@ void fold_journals(const JournaledStudy& study, const StudyIdentity& identity) {
   }
   if (!rows_are_in_results(study.results)) {
     JournaledStudy begun = study;
-    begun.files.grow = false;
+    begun.grows = false;
     write_rows_so_far(begun, plan_of(begun), study.results);
   }
   remove_journals(study.results);

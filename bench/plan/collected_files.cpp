@@ -173,14 +173,15 @@ bool is_pattern(const std::string& file) { return file.find_first_of("*?[") != s
   throw InputError(fmt::format("{}no file matches '{}'", entry.location, printable(entry.file)));
 }
 
-const std::vector<std::string>& listed_files(const StudyFiles& files, const std::string& path,
+const std::vector<std::string>& listed_files(const Study& study, const std::string& path,
                                              bool is_collection) {
-  OpenFiles& open_files = *files.open_files;
+  OpenFiles& open_files = *study.open_files;
   if (!open_files.listed) open_files.listed = std::chrono::system_clock::now();
   const std::string key = (is_collection ? kCollection : "") + path;
   const auto known = open_files.listings.find(key);
   if (known != open_files.listings.end()) return known->second;
-  std::vector<std::string> found = is_collection ? collected_now(path, files.own) : matches(path);
+  std::vector<std::string> found =
+      is_collection ? collected_now(path, study.own_files) : matches(path);
   std::error_code ignored;
   if (!is_collection && is_pattern(path)) {
     std::erase_if(found, [&](const std::string& file) { return fs::is_directory(file, ignored); });
@@ -188,20 +189,21 @@ const std::vector<std::string>& listed_files(const StudyFiles& files, const std:
   return open_files.listings[key] = std::move(found);
 }
 
-std::vector<std::string> files_come_since(const StudyFiles& files) {
+std::vector<std::string> files_come_since(const Study& study) {
   std::vector<std::string> come;
-  for (const auto& [key, then] : files.open_files->listings) {
+  for (const auto& [key, then] : study.open_files->listings) {
     if (!key.starts_with(kCollection)) continue;
     const std::string path = key.substr(std::string_view(kCollection).size());
     std::error_code ignored;
     if (!is_pattern(path) && !fs::exists(path, ignored)) continue;
-    std::ranges::set_difference(collected_now(path, files.own), then, std::back_inserter(come));
+    std::ranges::set_difference(collected_now(path, study.own_files), then,
+                                std::back_inserter(come));
   }
   return come;
 }
 
 std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry,
-                                        const StudyFiles& study) {
+                                        const Study& study) {
   std::map<std::string, std::string, std::less<>> groups;
   if (!record.groups.empty()) groups = read_groups(record.groups);
   const fs::path base = base_of(record.path);

@@ -26,7 +26,7 @@ std::string absolute_path(const std::string& folder, const std::string& file) {
 
 /// The files of a study that has begun, with the graphs that its results hold; none where they hold
 /// none of this family.
-std::vector<CorpusFile> held_files(const StudyFiles& known, const GraphFileRecord& record) {
+std::vector<CorpusFile> held_files(const Study& known, const GraphFileRecord& record) {
   std::vector<CorpusFile> files;
   if (!known.stored_graphs || !known.stored_graphs->contains(record.name)) return files;
   const std::map<std::uint32_t, std::string>& lines = known.stored_graphs->at(record.name);
@@ -52,7 +52,7 @@ std::vector<CorpusFile> held_files(const StudyFiles& known, const GraphFileRecor
 }
 
 /// Returns which file is not the one that the study began with; empty where it is unknown.
-std::string changed_file(const StudyFiles& known, const std::string& family, const Corpus& now) {
+std::string changed_file(const Study& known, const std::string& family, const Corpus& now) {
   std::set<std::pair<std::string, std::string>> there;
   for (const CollectedFile& file : now.files()) there.emplace(file.file, file.hash);
   std::string first;
@@ -88,12 +88,11 @@ void require_name(const GraphFileRecord& record, const GraphsEntry& entry) {
 
 class CorpusReader {
  public:
-  CorpusReader(const Study& study, const std::string& only)
-      : spec_(study.spec), files_(study.files), only_(only) {}
+  CorpusReader(const Study& study, const std::string& only) : study_(study), only_(only) {}
 
   std::vector<StudyCorpus> read() {
     std::int64_t number = 0;
-    for (const Sweep& sweep : spec_.sweeps) {
+    for (const Sweep& sweep : study_.spec.sweeps) {
       for (const GraphsEntry& entry : sweep.graphs) {
         for (GraphFileRecord& record : records_of(entry, number)) {
           if (only_.empty() || only_ == record.name) add(sweep, entry, std::move(record));
@@ -107,21 +106,21 @@ class CorpusReader {
  private:
   std::vector<GraphFileRecord> records_of(const GraphsEntry& entry, std::int64_t number) const {
     std::vector<GraphFileRecord> records;
-    if (files_.begun_with) {
-      for (const GraphFileRecord& record : *files_.begun_with) {
+    if (study_.begun_with) {
+      for (const GraphFileRecord& record : *study_.begun_with) {
         if (record.entry == number) records.push_back(record);
       }
       if (!records.empty()) return records;
       throw InputError(fmt::format("{}the study does not say which files '{}' was", entry.location,
                                    printable(entry.file)));
     }
-    const std::string wanted = absolute_path(files_.folder, entry.file);
+    const std::string wanted = absolute_path(study_.folder, entry.file);
     if (entry.is_collection) {
       const std::string groups =
-          entry.groups.empty() ? "" : absolute_path(files_.folder, entry.groups);
+          entry.groups.empty() ? "" : absolute_path(study_.folder, entry.groups);
       return {{entry.name, number, -1, {}, wanted, groups}};
     }
-    for (const std::string& path : listed_files(files_, wanted, false)) {
+    for (const std::string& path : listed_files(study_, wanted, false)) {
       std::error_code ignored;
       if (fs::is_directory(path, ignored)) {
         throw InputError(
@@ -150,7 +149,7 @@ class CorpusReader {
           "{}: its graphs are not those that the study began with ({} graphs with hash {} now, {} "
           "with {} then{})",
           printable(record.path), graphs->graphs_in_file(), graphs->hash(), record.graphs,
-          record.hash, changed_file(files_, record.name, *graphs)));
+          record.hash, changed_file(study_, record.name, *graphs)));
     }
     record.hash = graphs->hash();
     record.graphs = static_cast<std::int64_t>(graphs->graphs_in_file());
@@ -161,12 +160,12 @@ class CorpusReader {
 
   std::shared_ptr<const Corpus> opened(const GraphFileRecord& record, GraphsEntry entry) const {
     try {
-      entry.sample_seed = spec_.seed;
-      const bool grows = files_.grow && entry.sample == 0;  // a sample stays as it was drawn
+      entry.sample_seed = study_.spec.seed;
+      const bool grows = study_.grows && entry.sample == 0;  // a sample stays as it was drawn
       std::shared_ptr<const Corpus>& corpus =
-          files_.open_files->corpora[file_key(record, entry, is_held(record), grows)];
+          study_.open_files->corpora[file_key(record, entry, is_held(record), grows)];
       if (corpus) return corpus;
-      std::vector<CorpusFile> files = held_files(files_, record);
+      std::vector<CorpusFile> files = held_files(study_, record);
       if (files.empty() || grows) {
         for (CorpusFile& file : files_now(record, entry, !files.empty())) {
           files.push_back(std::move(file));
@@ -182,7 +181,7 @@ class CorpusReader {
   }
 
   bool is_held(const GraphFileRecord& record) const {
-    return files_.stored_graphs && files_.stored_graphs->contains(record.name);
+    return study_.stored_graphs && study_.stored_graphs->contains(record.name);
   }
 
   /// @param may_be_gone  then there are none where the file or folder is not there any more.
@@ -191,7 +190,7 @@ class CorpusReader {
     std::error_code ignored;
     if (may_be_gone && !is_pattern(record.path) && !fs::exists(record.path, ignored)) return {};
     if (!entry.is_collection) return {{record.path, "", ""}};
-    return collected_files(record, entry, files_);
+    return collected_files(record, entry, study_);
   }
 
   // Rows are told apart by the graphs' hash and, for people, by the name: one must give the other.
@@ -227,8 +226,7 @@ class CorpusReader {
     }
   }
 
-  const StudySpec& spec_;
-  const StudyFiles& files_;
+  const Study& study_;
   const std::string& only_;
   std::vector<StudyCorpus> corpora_;
   std::map<std::string, GraphFileRecord> by_name_;
@@ -251,10 +249,9 @@ std::vector<FamilyChoice> StudyCorpus::choices() const {
 }
 
 std::vector<std::string> graph_files_of(const Study& study) {
-  const StudyFiles& known = study.files;
   std::vector<std::string> files;
   const auto add = [&](const std::string& path, const std::string& groups, bool is_collection) {
-    const std::vector<std::string>& found = listed_files(known, path, is_collection);
+    const std::vector<std::string>& found = listed_files(study, path, is_collection);
     files.insert(files.end(), found.begin(), found.end());
     if (!groups.empty()) files.push_back(groups);
   };
@@ -262,13 +259,13 @@ std::vector<std::string> graph_files_of(const Study& study) {
   for (const Sweep& sweep : study.spec.sweeps) {
     for (const GraphsEntry& entry : sweep.graphs) {
       collections.push_back(entry.is_collection);
-      if (known.begun_with) continue;
-      add(absolute_path(known.folder, entry.file),
-          entry.groups.empty() ? "" : absolute_path(known.folder, entry.groups),
+      if (study.begun_with) continue;
+      add(absolute_path(study.folder, entry.file),
+          entry.groups.empty() ? "" : absolute_path(study.folder, entry.groups),
           entry.is_collection);
     }
   }
-  for (const GraphFileRecord& record : known.begun_with.value_or(std::vector<GraphFileRecord>())) {
+  for (const GraphFileRecord& record : study.begun_with.value_or(std::vector<GraphFileRecord>())) {
     const auto number = static_cast<std::size_t>(record.entry);
     add(record.path, record.groups, number < collections.size() && collections[number]);
   }

@@ -179,14 +179,14 @@ bool is_pattern(const std::string& file);
 /// or is no pattern. Of a collection also everything in folders that match, except files that a
 /// study has beside its graphs. A study looks once: it always gets this first list.
 /// @throws InputError naming what cannot be read.
-const std::vector<std::string>& listed_files(const StudyFiles& files, const std::string& path,
+const std::vector<std::string>& listed_files(const Study& study, const std::string& path,
                                              bool is_collection);
 /// Returns the files that are there now and were not when the study listed its collections.
-std::vector<std::string> files_come_since(const StudyFiles& files);
+std::vector<std::string> files_come_since(const Study& study);
 /// Returns the files of a collection with their names behind its folder, and their groups:
 /// sub-folders, or as the table says. @throws InputError as above, and naming a line of the table
 /// that is none.
 std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry,
-                                        const StudyFiles& files);
+                                        const Study& study);
 
 }  // namespace ar3d

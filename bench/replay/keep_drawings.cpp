@@ -84,7 +84,7 @@ std::tuple<std::size_t, std::size_t, std::vector<std::string>> write_kept_drawin
   std::size_t written = 0, repeated = 0;
   std::vector<std::string> problems;
   const StudyOrigin origin = study_origin(rows.identity());
-  if (origin.study && origin.study->files.begun_with) corpora_of(*origin.study);
+  if (origin.study && origin.study->begun_with) corpora_of(*origin.study);
   for (const std::size_t row : rows_to_keep(rows, kept, repeated)) {
     std::string problem;
     if (const auto drawing = drawn_again(rows.run(row), origin, problem)) {

@@ -10,8 +10,8 @@ namespace ar3d {
 namespace {
 
 bool is_of_a_file(const std::string& family, const StudyOrigin& origin) {
-  if (!origin.study || !origin.study->files.begun_with) return false;
-  const std::vector<GraphFileRecord>& files = *origin.study->files.begun_with;
+  if (!origin.study || !origin.study->begun_with) return false;
+  const std::vector<GraphFileRecord>& files = *origin.study->begun_with;
   return std::any_of(files.begin(), files.end(),
                      [&](const GraphFileRecord& file) { return file.name == family; });
 }
@@ -20,8 +20,8 @@ const std::vector<FamilyChoice>& choices_of(const std::string& family, const Stu
   const auto [known, is_new] = origin.choices->try_emplace(family);
   if (!is_new) return known->second;
   Study study = *origin.study;
-  if (!origin.moved_graphs.empty()) study.files.stored_graphs = nullptr;
-  for (GraphFileRecord& file : *study.files.begun_with) {
+  if (!origin.moved_graphs.empty()) study.stored_graphs = nullptr;
+  for (GraphFileRecord& file : *study.begun_with) {
     if (!origin.moved_graphs.empty() && file.name == family) file.path = origin.moved_graphs;
   }
   for (const StudyCorpus& corpus : corpora_of(study, family)) {

@@ -29,15 +29,20 @@ std::vector<std::size_t> indices_of_rank(int rank, int count, std::size_t rows) 
 // Rows of one drawing that a process draws for a batch.
 class BatchRows {
  public:
-  BatchRows(const Graph& graph, const AlgorithmChoice& choice, std::uint32_t warm_ups,
-            std::vector<RunRecord> begun, const std::function<bool()>& stop)
-      : graph_(graph),
-        choice_(choice),
+  // @param maker  prepared for `instance`. @param runs  of it, a batch, whose rows in `share` are
+  // drawn here.
+  BatchRows(const RowMaker& maker, const PlannedInstance& instance,
+            const std::vector<std::size_t>& runs, const std::vector<std::size_t>& share,
+            std::uint32_t warm_ups, const std::function<bool()>& stop)
+      : graph_(*maker.graph()),
+        choice_(instance.runs[runs.front()].choice),
         warm_ups_(warm_ups),
-        rows_(std::move(begun)),
-        drawings_(rows_.size()),
+        drawings_(share.size()),
         stop_(stop) {
-    for (RunRecord& row : rows_) row.warm_ups = warm_ups;
+    for (const std::size_t i : share) {
+      rows_.push_back(maker.begun(instance.runs[runs[i]]));
+      rows_.back().warm_ups = warm_ups;
+    }
   }
 
   void warm_up() const {
@@ -113,102 +118,80 @@ double drawn_in_threads(BatchRows& rows, int threads) {
   return std::chrono::duration<double>(last_end - first_start).count();
 }
 
-// Draws batches of equal drawings, shared by threads of this process or by ranks: gives their rows
-// in the order asked for, with the time of the batch and without verdict.
-class BatchDrawer {
- public:
-  BatchDrawer(const StudyPlan& plan, int rank, std::function<bool()> stop)
-      : plan_(plan), rank_(rank), stop_(std::move(stop)) {}
+// The rows of a batch at these places in the runs of an instance, which are of one drawing: in the
+// order asked for, with the time of the batch and without verdict. Threads take the rows one by
+// one, each thread on a core of its own if there are so many.
+// @param maker  prepared for the instance. @throws InputError if the system starts fewer threads.
+std::vector<RunRecord> shared_by_threads(int threads, const PlannedInstance& instance,
+                                         const std::vector<std::size_t>& runs,
+                                         const RowMaker& maker, const StudySession& session) {
+  const std::function<bool()> stop = [&session] { return session.stopped(); };
+  BatchRows batch(maker, instance, runs, indices_of_rank(0, 1, runs.size()),
+                  session.plan().timing.warm_up, stop);
+  const double wall_s = drawn_in_threads(batch, threads);
+  std::vector<RunRecord> made = batch.take();
+  for (RunRecord& row : made) row.batch_s = wall_s;
+  return made;
+}
 
-  // The maker of the rows of the instance at that index of the plan, whose graph is there.
-  RowMaker& maker_for(std::size_t index) {
-    if (index_ != index) {
-      instance_ = plan_.instances[index];
-      maker_.prepare(instance_);
-      index_ = index;
-    }
-    return maker_;
+// Makes a rank's part of a batch ready.
+std::function<Tell()> part_of_batch(const StudyPlan& plan, int rank, RowMaker& maker,
+                                    const std::function<bool()>& stop, const std::string& job) {
+  std::istringstream words(job);
+  int count = 1;
+  std::size_t index = 0;
+  words >> count >> index;
+  std::vector<std::size_t> runs;
+  for (std::size_t run = 0; words >> run;) runs.push_back(run);
+  const PlannedInstance& instance = maker.prepare(plan, index);
+  if (maker.graph() == nullptr) {
+    throw InternalError(
+        fmt::format("internal error: rank {} cannot generate rank 0's graph", rank));
   }
-
-  // Threads take the rows one by one, each thread on a core of its own if there are so many.
-  // `rows` are indices in the instance's runs; of one algorithm with the same options.
-  // @throws InputError if the system starts fewer threads.
-  std::vector<RunRecord> shared_by_threads(int threads, std::size_t index,
-                                           const std::vector<std::size_t>& rows) {
-    RowMaker& maker = maker_for(index);
-    const PlannedRun& first = instance_.runs[rows.front()];
-    BatchRows batch(*maker.graph(), first.choice, plan_.timing.warm_up,
-                    std::vector<RunRecord>(rows.size(), maker.begun(first)), stop_);
-    const double wall_s = drawn_in_threads(batch, threads);
-    std::vector<RunRecord> made = batch.take();
-    for (RunRecord& row : made) row.batch_s = wall_s;
-    return made;
-  }
-
-  // Of r ranks, rank i draws the i-th row and every r-th after it; ranks stay where mpirun has put
-  // them. Nothing is sent while they draw. Called on rank 0, whose clock their time is taken
-  // from (Ranks::at_once). @throws InternalError what went wrong on a rank.
-  std::vector<RunRecord> shared_by_ranks(Ranks& ranks, int count, std::size_t index,
-                                         const std::vector<std::size_t>& rows) {
-    const std::string job = fmt::format("{} {} {}", count, index, fmt::join(rows, " "));
-    const auto& [wall_s, told] =
-        ranks.at_once(count, job, [&](const std::string& text) { return make_ready(text); });
-    std::vector<RunRecord> made(rows.size());
-    for (int rank = 0; rank < count; ++rank) {
-      const std::string& text = told[static_cast<std::size_t>(rank)];
-      const std::vector<std::size_t> indices = indices_of_rank(rank, count, rows.size());
-      const std::size_t size = row_message_size();
-      expect(text.size() == indices.size() * size, "a rank tells its rows");
-      for (std::size_t i = 0; i < indices.size(); ++i) {
-        const std::string_view bytes(text.data() + i * size, size);
-        expect(read_row_message(bytes, made[indices[i]]) == kDrawn, "a rank tells its rows whole");
-        made[indices[i]].batch_s = wall_s;
-      }
+  const auto batch = std::make_shared<BatchRows>(
+      maker, instance, runs, indices_of_rank(rank, count, runs.size()), plan.timing.warm_up, stop);
+  batch->warm_up();
+  const auto counters = std::make_shared<HardwareCounters>();
+  return [batch, counters] {
+    while (batch->draw_next(-1, *counters)) {
     }
-    return made;
-  }
-
-  // Makes this rank's part of a batch.
-  std::function<Tell()> make_ready(const std::string& job) {
-    std::istringstream words(job);
-    int count = 1;
-    std::size_t index = 0;
-    words >> count >> index;
-    std::vector<std::size_t> rows;
-    for (std::size_t row = 0; words >> row;) rows.push_back(row);
-    const RowMaker& maker = maker_for(index);
-    if (maker.graph() == nullptr) {
-      throw InternalError(
-          fmt::format("internal error: rank {} cannot generate rank 0's graph", rank_));
-    }
-    std::vector<RunRecord> begun;
-    for (const std::size_t i : indices_of_rank(rank_, count, rows.size())) {
-      begun.push_back(maker.begun(instance_.runs[rows[i]]));
-    }
-    const auto batch =
-        std::make_shared<BatchRows>(*maker.graph(), instance_.runs[rows.front()].choice,
-                                    plan_.timing.warm_up, std::move(begun), stop_);
-    batch->warm_up();
-    const auto counters = std::make_shared<HardwareCounters>();
-    return [batch, counters] {
-      while (batch->draw_next(-1, *counters)) {
-      }
-      return [batch] {
-        std::string text;
-        for (const RunRecord& row : batch->take()) text += row_message(kDrawn, row);
-        return text;
-      };
+    return [batch] {
+      std::string text;
+      for (const RunRecord& row : batch->take()) text += row_message(kDrawn, row);
+      return text;
     };
-  }
+  };
+}
 
- private:
-  const StudyPlan& plan_;
-  const int rank_;
-  const std::function<bool()> stop_;
-  std::optional<std::size_t> index_;
-  PlannedInstance instance_;  // at index_
-  RowMaker maker_;            // prepared for it
-};
+// As shared_by_threads. Of r ranks, rank i draws the i-th row and every r-th after it; ranks stay
+// where mpirun has put them. Nothing is sent while they draw. Called on rank 0, whose clock their
+// time is taken from (Ranks::at_once). @throws InternalError what went wrong on a rank.
+std::vector<RunRecord> shared_by_ranks(int count, std::size_t index,
+                                       const std::vector<std::size_t>& runs, RowMaker& maker,
+                                       const StudySession& session) {
+  const std::function<bool()> stop = [&session] { return session.stopped(); };
+  Ranks alone;
+  Ranks* const ranks = session.policy().ranks;
+  const auto& [wall_s, told] =
+      (ranks != nullptr ? *ranks : alone)
+          .at_once(count, fmt::format("{} {} {}", count, index, fmt::join(runs, " ")),
+                   [&](const std::string& job) {
+                     return part_of_batch(session.plan(), 0, maker, stop, job);
+                   });
+  std::vector<RunRecord> made(runs.size());
+  for (int rank = 0; rank < count; ++rank) {
+    const std::string& text = told[static_cast<std::size_t>(rank)];
+    const std::vector<std::size_t> indices = indices_of_rank(rank, count, runs.size());
+    const std::size_t size = row_message_size();
+    expect(text.size() == indices.size() * size, "a rank tells its rows");
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      const std::string_view bytes(text.data() + i * size, size);
+      expect(read_row_message(bytes, made[indices[i]]) == kDrawn, "a rank tells its rows whole");
+      made[indices[i]].batch_s = wall_s;
+    }
+  }
+  return made;
+}
 
 // Places of runs, by threads or ranks.
 using Batches = std::map<std::int64_t, std::vector<std::size_t>>;
@@ -229,18 +212,9 @@ std::vector<std::map<std::uint32_t, Batches>> batched_drawings(const PlannedInst
   return drawings;
 }
 
-std::vector<RunRecord> drawn(RunPhase phase, int workers, std::size_t index,
-                             const std::vector<std::size_t>& rows, StudySession& session,
-                             BatchDrawer& drawer) {
-  if (!is_over_ranks(phase)) return drawer.shared_by_threads(workers, index, rows);
-  Ranks alone;
-  Ranks* const ranks = session.policy().ranks;
-  return drawer.shared_by_ranks(ranks != nullptr ? *ranks : alone, workers, index, rows);
-}
-
 // The batches of one index, by growing number of workers.
 void make_round(const PlannedInstance& instance, std::size_t index, const Batches& batches,
-                const RunRecord& reference, StudySession& session, BatchDrawer& drawer) {
+                const RunRecord& reference, StudySession& session, RowMaker& maker) {
   const RunPhase phase = instance.runs[batches.begin()->second.front()].phase;
   const auto emit = [&](const PlannedRun& run, const RunRecord& row) {
     if (session.wants(run)) session.add(run, row);
@@ -254,8 +228,11 @@ void make_round(const PlannedInstance& instance, std::size_t index, const Batche
       }
       continue;
     }
-    std::vector<RunRecord> made =
-        drawn(phase, static_cast<int>(workers), index, rows, session, drawer);
+    const int share = static_cast<int>(workers);
+    maker.prepare(session.plan(), index);
+    std::vector<RunRecord> made = is_over_ranks(phase)
+                                      ? shared_by_ranks(share, index, rows, maker, session)
+                                      : shared_by_threads(share, instance, rows, maker, session);
     if (session.stopped()) return;  // it may not have been drawn to its end
     if (workers == 1) single_s = made.front().batch_s;
     const double ideal_s = is_strong(phase) ? single_s / static_cast<double>(workers) : single_s;
@@ -274,7 +251,7 @@ void make_round(const PlannedInstance& instance, std::size_t index, const Batche
 }
 
 // All batches of the instance at that index of the plan.
-void make_batches_of(std::size_t index, StudySession& session, BatchDrawer& drawer) {
+void make_batches_of(std::size_t index, StudySession& session, RowMaker& maker) {
   const PlannedInstance instance = session.plan().instances[index];
   const auto wants = [&](std::size_t i) { return session.wants(instance.runs[i]); };
   for (const auto& rounds : batched_drawings(instance)) {
@@ -287,9 +264,12 @@ void make_batches_of(std::size_t index, StudySession& session, BatchDrawer& draw
       if (!reference) {
         const PlannedRun& run = instance.runs[batches.begin()->second.front()];
         reference = session.failure(instance, run);
-        if (!reference) reference = drawer.maker_for(index).make_row(run);
+        if (!reference) {
+          maker.prepare(session.plan(), index);
+          reference = maker.make_row(run);
+        }
       }
-      make_round(instance, index, batches, *reference, session, drawer);
+      make_round(instance, index, batches, *reference, session, maker);
     }
   }
 }
@@ -297,18 +277,19 @@ void make_batches_of(std::size_t index, StudySession& session, BatchDrawer& draw
 }  // namespace
 
 MakeReady batch_parts(const StudyPlan& plan, int rank, const std::function<bool()>& stop) {
-  const auto drawer = std::make_shared<BatchDrawer>(plan, rank, stop);
-  return [drawer](const std::string& job) { return drawer->make_ready(job); };
+  return [&plan, rank, stop, maker = std::make_shared<RowMaker>()](const std::string& job) {
+    return part_of_batch(plan, rank, *maker, stop, job);
+  };
 }
 
 void make_batches(StudySession& session) {
   const StudyPlan& plan = session.plan();
-  BatchDrawer drawer(plan, 0, [&session] { return session.stopped(); });
+  RowMaker maker;
   for (const PlannedBlock& block : plan.instances.blocks()) {
     if (!has_run(block.first, is_batched)) continue;
     for (std::size_t i = 0; i < block.count; ++i) {
       if (session.stopped()) return;
-      make_batches_of(block.first_index + i, session, drawer);
+      make_batches_of(block.first_index + i, session, maker);
     }
   }
 }

@@ -140,7 +140,7 @@ std::vector<StoredTable> side_tables_of(const Study& study) {
       skipped.push_back(std::move(file));
     }
   }
-  for (const SkippedFile& before : study.files.skipped) {  // of a study that has begun
+  for (const SkippedFile& before : study.skipped) {  // of a study that has begun
     const auto is_it = [&](const auto& file) {
       return file.name == before.name && file.file == before.file;
     };
@@ -170,7 +170,7 @@ Results describe_study(const Study& study, int workers) {
   results.tables = side_tables_of(study);
   require_programs(spec);
   results.environment = capture_environment(workers);
-  if (const auto listed = study.files.open_files->listed) {
+  if (const auto listed = study.open_files->listed) {
     results.environment.push_back({"files_listed", time_with_zone(*listed)});
   }
   const std::string notes = notes_text(corpora_of(study));

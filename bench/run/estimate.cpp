@@ -1,7 +1,5 @@
 // Tells before a study begins what it will cost. Small sizes are drawn in processes of their own,
 // with limits; larger sizes follow by a power law.
-#include "ar3d/bench/run/estimate.h"
-
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -16,6 +14,7 @@
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/row_maker.h"
+#include "ar3d/bench/run/session.h"
 
 namespace ar3d {
 namespace {

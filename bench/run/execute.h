@@ -73,41 +73,32 @@ struct RowJob {
   const PlannedRun& run() const { return instance->runs[request.run]; }
 };
 
-/// Hands out the rows of a phase and takes them back. Called from several threads at once.
-class RowSource {
- public:
-  /// @param workers  that make its rows. @param elsewhere  workers of other processes of the study
-  /// at the same time. @param cores  of each worker; empty: none is pinned.
-  RowSource(StudySession& session, int workers, int elsewhere, std::vector<int> cores)
-      : session_(session), workers_(workers), elsewhere_(elsewhere), cores_(std::move(cores)) {}
-  virtual ~RowSource() = default;
-  int workers() const { return workers_; }
-  /// Returns the session whose rows these are.
-  StudySession& session() const { return session_; }
+/// Hands out the rows of a phase and takes them back. Its functions are called by several threads
+/// at once.
+struct RowSource {
+  StudySession& session;        ///< whose rows these are
+  int workers = 1;              ///< that make its rows
+  int elsewhere = 0;            ///< workers of other processes of the study at the same time
+  std::vector<int> cores = {};  ///< of each worker; empty: none is pinned
+  /// Returns the next row for the worker of that number; nothing: there is no more for it.
+  std::function<std::optional<RowJob>(int worker)> next;
+  /// Takes a row that was handed out. What it throws ends the phase and is passed on.
+  std::function<void(const RowJob& job, RunRecord row)> done;
+
   /// Returns the core of that worker; -1: it has none to itself.
   int core_of(int worker) const {
-    return cores_.empty() ? -1 : cores_.at(static_cast<std::size_t>(worker));
+    return cores.empty() ? -1 : cores.at(static_cast<std::size_t>(worker));
   }
   /// Returns the maker of that worker's rows.
   RowMaker maker(int worker, MemoryScope memory) const {
-    return RowMaker(memory, workers_ + elsewhere_, core_of(worker),
-                    session_.plan().budget.certify_memory_bytes);
+    return RowMaker(memory, workers + elsewhere, core_of(worker),
+                    session.plan().budget.certify_memory_bytes);
   }
-  /// Returns the next row for the worker of that number; nothing: there is no more for it.
-  virtual std::optional<RowJob> next(int worker) = 0;
-  /// Takes a row that was handed out. What it throws ends the phase and is passed on.
-  virtual void done(const RowJob& job, RunRecord row) = 0;
-
- private:
-  StudySession& session_;
-  const int workers_;
-  const int elsewhere_;
-  const std::vector<int> cores_;
 };
 
 /// Makes all rows of a source: in threads of this process, the calling one among them, or by
 /// work_in_processes if the policy asks for it or rows have limits.
-void execute(RowSource& source);
+void execute(const RowSource& source);
 
 /// Makes all rows of a source in processes of their own, so that a crash, a timeout or too much
 /// memory costs one row: it gets the status, the process is replaced, the others go on. Rows have
@@ -115,7 +106,7 @@ void execute(RowSource& source);
 /// process outlives the call, nor a worker the caller's process; what a worker that has ended
 /// leaves in its group ends at once, and what its programs leave in any. To be called while no
 /// other thread runs.
-void work_in_processes(RowSource& source);
+void work_in_processes(const RowSource& source);
 
 /// Returns whether there are rounds enough: how far the median of the first half of the values is
 /// from that of the second (of an even number the upper one). Infinite for fewer than two.

@@ -26,42 +26,6 @@ double halves_difference(std::span<const double> values) {
 
 namespace {
 
-class MetricsSource final : public RowSource {
- public:
-  explicit MetricsSource(StudySession& session)
-      : RowSource(session, session.policy().workers, session.policy().workers_elsewhere, {}),
-        order_(largest_first(session.plan())) {}
-
-  std::optional<RowJob> next(int worker) override {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    std::deque<RowJob>& jobs = jobs_[worker];
-    while (jobs.empty()) {
-      if (begun_ == order_.size()) return std::nullopt;
-      const std::size_t index = order_[begun_++];
-      const auto instance =
-          std::make_shared<const PlannedInstance>(session().plan().instances[index]);
-      for (std::size_t i = 0; i < instance->runs.size(); ++i) {
-        const PlannedRun& run = instance->runs[i];
-        if (run.phase == RunPhase::metrics && session().wants(run)) {
-          jobs.push_back({instance, {.index = index, .run = i}});
-        }
-      }
-      std::ranges::stable_sort(jobs, {}, [](const RowJob& job) { return job.run().repetition; });
-    }
-    RowJob job = std::move(jobs.front());
-    jobs.pop_front();
-    return job;
-  }
-
-  void done(const RowJob& job, RunRecord row) override { session().add(job.run(), row); }
-
- private:
-  std::mutex mutex_;
-  const std::vector<std::uint32_t> order_;
-  std::size_t begun_ = 0;
-  std::map<int, std::deque<RowJob>> jobs_;  // of the instance that each worker has in hand
-};
-
 // A system does its own work on the first ones.
 std::vector<int> last_cores(std::uint32_t count) {
   const std::vector<int> allowed = allowed_cores();
@@ -81,14 +45,11 @@ struct TimedDrawing {
   bool is_stable() const { return halves_difference(times) <= precision; }
 };
 
-class TimingSource final : public RowSource {
+class TimingRounds {
  public:
   static constexpr double kEnough = 0.95;  // of the drawings
 
-  explicit TimingSource(StudySession& session)
-      : RowSource(session, static_cast<int>(session.plan().timing.concurrency), 0,
-                  last_cores(session.plan().timing.concurrency)),
-        rules_(session.plan().timing) {
+  explicit TimingRounds(StudySession& session) : session_(session), rules_(session.plan().timing) {
     for (const PlannedBlock& block : session.plan().instances.blocks()) {
       if (!has_run(block.first, [](RunPhase phase) { return phase == RunPhase::timing; })) continue;
       for (std::size_t i = 0; i < block.count; ++i) add_drawings(block.first_index + i);
@@ -96,14 +57,14 @@ class TimingSource final : public RowSource {
     begin_round();
   }
 
-  std::optional<RowJob> next(int) override {
+  std::optional<RowJob> next() {
     const std::lock_guard<std::mutex> lock(mutex_);
     while (!round_.empty() || begin_round()) {
       const std::size_t index = round_.front();
       round_.pop_front();
       TimedDrawing& drawing = drawings_[index];
       if (drawing.left.empty()) continue;  // it has failed meanwhile
-      if (const auto failed = session().failure(*drawing.instance, *drawing.left.front())) {
+      if (const auto failed = session_.failure(*drawing.instance, *drawing.left.front())) {
         fail_all(drawing, *failed);
         continue;
       }
@@ -121,7 +82,7 @@ class TimingSource final : public RowSource {
     return std::nullopt;
   }
 
-  void done(const RowJob& job, RunRecord row) override {
+  void done(const RowJob& job, RunRecord row) {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (std::size_t i = 0; i < row.yardsticks_s.size(); ++i) {
       const double one_s = row.yardsticks_s[i];
@@ -133,7 +94,7 @@ class TimingSource final : public RowSource {
     } else if (is_drawn(row)) {
       drawing.certified = row;
     }
-    session().add(job.run(), row);
+    session_.add(job.run(), row);
     if (!is_drawn(row)) {
       fail_all(drawing, row);
       return;
@@ -150,9 +111,9 @@ class TimingSource final : public RowSource {
       stable += drawing.is_stable();
       has_more = has_more || !drawing.left.empty();
     }
-    const char* why = session().stopped() ? "then stopped"
-                      : has_more          ? "enough for the precision"
-                                          : "as many as the study makes";
+    const char* why = session_.stopped() ? "then stopped"
+                      : has_more         ? "enough for the precision"
+                                         : "as many as the study makes";
     const double all_s = time_.wall_s() * rules_.concurrency;
     std::vector<EnvironmentEntry> entries = {
         {kTimingRounds, fmt::format("{} rounds, {}: {} of {} drawings are stable", rounds, why,
@@ -168,8 +129,7 @@ class TimingSource final : public RowSource {
  private:
   // The drawings of an instance: runs of one algorithm and options follow each other in the plan.
   void add_drawings(std::size_t index) {
-    const auto instance =
-        std::make_shared<const PlannedInstance>(session().plan().instances[index]);
+    const auto instance = std::make_shared<const PlannedInstance>(session_.plan().instances[index]);
     const PlannedRun* previous = nullptr;
     for (const PlannedRun& run : instance->runs) {
       if (run.phase != RunPhase::timing) continue;
@@ -180,9 +140,9 @@ class TimingSource final : public RowSource {
         if (run.precision > 0) drawings_.back().precision = run.precision;
       }
       previous = &run;
-      if (session().wants(run)) {
+      if (session_.wants(run)) {
         drawings_.back().left.push_back(&run);
-      } else if (const RunRecord known = session().known(run); is_drawn(known)) {
+      } else if (const RunRecord known = session_.known(run); is_drawn(known)) {
         drawings_.back().times.push_back(log_corrected_time(known));
       }
     }
@@ -220,11 +180,12 @@ class TimingSource final : public RowSource {
   void fail_all(TimedDrawing& drawing, const RunRecord& failed) {
     for (const PlannedRun* run : drawing.left) {
       if (run->optional) continue;
-      session().add(*run, failed_row(*drawing.instance, *run, failed));
+      session_.add(*run, failed_row(*drawing.instance, *run, failed));
     }
     drawing.left.clear();
   }
 
+  StudySession& session_;
   const TimingRules& rules_;
   const Stopwatch time_;
   std::array<std::set<double>, 3> known_yardsticks_;
@@ -238,14 +199,47 @@ class TimingSource final : public RowSource {
 }  // namespace
 
 void make_metrics(StudySession& session) {
-  MetricsSource source(session);
-  execute(source);
+  const std::vector<std::uint32_t> order = largest_first(session.plan());
+  std::mutex mutex;
+  std::size_t begun = 0;
+  std::map<int, std::deque<RowJob>> jobs_of;  // of the instance that each worker has in hand
+  const auto next = [&](int worker) -> std::optional<RowJob> {
+    const std::lock_guard<std::mutex> lock(mutex);
+    std::deque<RowJob>& jobs = jobs_of[worker];
+    while (jobs.empty()) {
+      if (begun == order.size()) return std::nullopt;
+      const std::size_t index = order[begun++];
+      const auto instance =
+          std::make_shared<const PlannedInstance>(session.plan().instances[index]);
+      for (std::size_t i = 0; i < instance->runs.size(); ++i) {
+        const PlannedRun& run = instance->runs[i];
+        if (run.phase == RunPhase::metrics && session.wants(run)) {
+          jobs.push_back({instance, {.index = index, .run = i}});
+        }
+      }
+      std::ranges::stable_sort(jobs, {}, [](const RowJob& job) { return job.run().repetition; });
+    }
+    RowJob job = std::move(jobs.front());
+    jobs.pop_front();
+    return job;
+  };
+  const SessionPolicy& policy = session.policy();
+  execute({.session = session,
+           .workers = policy.workers,
+           .elsewhere = policy.workers_elsewhere,
+           .next = next,
+           .done = [&](const RowJob& job, const RunRecord& row) { session.add(job.run(), row); }});
 }
 
 void make_timing(StudySession& session) {
-  TimingSource source(session);
-  execute(source);
-  for (const EnvironmentEntry& entry : source.ending()) session.note(entry);
+  const std::uint32_t workers = session.plan().timing.concurrency;
+  TimingRounds rounds(session);
+  execute({.session = session,
+           .workers = static_cast<int>(workers),
+           .cores = last_cores(workers),
+           .next = [&](int) { return rounds.next(); },
+           .done = [&](const RowJob& job, RunRecord row) { rounds.done(job, std::move(row)); }});
+  for (const EnvironmentEntry& entry : rounds.ending()) session.note(entry);
 }
 
 }  // namespace ar3d

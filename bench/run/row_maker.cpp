@@ -47,9 +47,9 @@ std::uint64_t most_comparisons(const Graph& graph) {
   return kAlways + kEach * (std::uint64_t{graph.num_vertices()} + graph.num_edges());
 }
 
-// How a drawing is held to the guarantee. A program's may stand on any lattice, and its crossings
-// are counted, however many there are, within reason.
-CertifyOptions certifying(const AlgorithmChoice& choice,
+// How a drawing is held to the guarantee. One of another process may stand on any lattice, and its
+// crossings are counted, however many there are, within reason.
+CertifyOptions certifying(const AlgorithmChoice& choice, bool is_of_another,
                           const std::optional<LimitByVertices>& memory, const Graph& graph,
                           const Drawing& drawing, Guarantee& guarantee) {
   CertifyOptions options;
@@ -58,7 +58,7 @@ CertifyOptions certifying(const AlgorithmChoice& choice,
     options.proof_bytes =
         static_cast<std::uint64_t>(std::clamp((*memory)(graph.num_vertices()), 1.0, 1e18));
   }
-  if (!choice.program) return options;
+  if (!is_of_another) return options;
   guarantee.lattice = drawing.lattice();
   options.max_violations = kMostCrossings;
   options.most_comparisons = most_comparisons(graph);
@@ -156,7 +156,17 @@ RowMaker::RowMaker(MemoryScope memory, std::int64_t concurrency, std::int64_t co
       certify_memory_bytes_(certify_memory_bytes),
       memory_(memory) {}
 
+const PlannedInstance& RowMaker::prepare(const StudyPlan& plan, std::size_t index) {
+  if (index_ != index) {
+    instance_ = plan.instances[index];
+    prepare(instance_);
+    index_ = index;
+  }
+  return instance_;
+}
+
 void RowMaker::prepare(const PlannedInstance& instance) {
+  index_.reset();
   graph_.reset();
   needs_.reset();
   base_ = instance_row(instance);
@@ -204,13 +214,7 @@ Drawing RowMaker::draw_timed(const PlannedRun& planned, const RowRequest& reques
   run.warm_ups = request.warm_ups;
   if (request.warm_ups > 0) memory_.restart();
   drawer_.take_times();  // of warm-ups
-  Drawing drawing = timed_drawing(*graph_, choice, counters_, run);
-  if (const auto own = drawer_.take_times()) {  // another process has drawn
-    run.wall_s = own->wall_s;
-    run.cpu_s = own->cpu_s;
-    run.instructions = run.cycles = run.cache_misses = -1;
-  }
-  return drawing;
+  return timed_drawing(*graph_, choice, counters_, run);
 }
 
 void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& request,
@@ -218,6 +222,12 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   const AlgorithmChoice& choice = planned.choice;
   const bool is_judged = choice.is_judged();
   Drawing drawing = draw_timed(planned, request, run);
+  const auto times_of_another = drawer_.take_times();  // process, if one has drawn
+  if (times_of_another) {
+    run.wall_s = times_of_another->wall_s;
+    run.cpu_s = times_of_another->cpu_s;
+    run.instructions = run.cycles = run.cache_misses = -1;
+  }
   if (memory_.scope() != MemoryScope::process) run.draw_peak_bytes = memory_.peak_bytes();
   if (choice.level != Level::extents) {
     const Stopwatch storing_time;
@@ -233,7 +243,8 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
     return;
   }
   Guarantee guarantee = choice.algorithm->guarantee;
-  const CertifyOptions how = certifying(choice, certify_memory_bytes_, *graph_, drawing, guarantee);
+  const CertifyOptions how = certifying(choice, times_of_another.has_value(), certify_memory_bytes_,
+                                        *graph_, drawing, guarantee);
   Examination examination = examine(*graph_, drawing, guarantee, {}, how);
   const Stopwatch angles_time;
   auto& summary = examination.summary;

@@ -40,6 +40,8 @@ class RowMaker {
   /// Generates or reads the instance's graph. Where that fails, every row made until the next
   /// prepare() has its status and message.
   void prepare(const PlannedInstance& instance);
+  /// Does so for the instance at that index of the plan, unless it is the last one prepared.
+  const PlannedInstance& prepare(const StudyPlan& plan, std::size_t index);
   /// Returns null if it could not be generated.
   const Graph* graph() const { return graph_ ? &*graph_ : nullptr; }
   /// Returns what is known of a run of the prepared instance before it is made.
@@ -53,6 +55,8 @@ class RowMaker {
   HardwareCounters counters_;
   RowMemory memory_;
   std::optional<Yardsticks> yardsticks_;  ///< once a row of the timing phase was made
+  std::optional<std::size_t> index_;      // in the plan
+  PlannedInstance instance_;              // there
   RunRecord base_;
   std::optional<Graph> graph_;
   std::optional<GraphNeeds> needs_;  // once a row asks

@@ -20,38 +20,6 @@ namespace {
 bool is_timed(RunPhase phase) { return phase != RunPhase::metrics; }
 bool is_timing(RunPhase phase) { return phase == RunPhase::timing; }
 
-void work(RowSource& source, int worker, const std::atomic<bool>& failed) {
-  const OneThread one_thread;
-  const Pinning pinning(source.core_of(worker));
-  RowMaker maker =
-      source.maker(worker, source.workers() == 1 ? MemoryScope::row : MemoryScope::process);
-  std::shared_ptr<const PlannedInstance> prepared;
-  while (!failed && !source.session().stopped()) {
-    const std::optional<RowJob> job = source.next(worker);
-    if (!job) return;
-    if (job->instance != prepared) maker.prepare(*job->instance);
-    prepared = job->instance;
-    source.done(*job, maker.make_row(job->run(), job->request));
-  }
-}
-
-// Makes all rows of a source in threads of this process, the calling one among them.
-void work_in_threads(RowSource& source) {
-  std::atomic<bool> failed = false;
-  const auto until_one_fails = [&](std::uint32_t worker) {
-    try {
-      work(source, static_cast<int>(worker), failed);
-    } catch (...) {
-      failed = true;
-      throw;
-    }
-  };
-  // The main thread's memory would go back to the system between rows, whose pages then come anew.
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  mallopt(M_TRIM_THRESHOLD, 64 << 20);
-  in_threads(static_cast<std::uint32_t>(source.workers()), until_one_fails);
-}
-
 void require_ranks(const StudyPlan& plan, int ranks) {
   for (const PlannedBlock& block : plan.instances.blocks()) {
     for (const PlannedRun& run : block.first.runs) {
@@ -64,13 +32,33 @@ void require_ranks(const StudyPlan& plan, int ranks) {
 
 }  // namespace
 
-void execute(RowSource& source) {
-  const StudySession& session = source.session();
+void execute(const RowSource& source) {
+  const StudySession& session = source.session;
   if (session.policy().isolate || session.plan().budget.limits_rows()) {
-    work_in_processes(source);
-  } else {
-    work_in_threads(source);
+    return work_in_processes(source);
   }
+  // The main thread's memory would go back to the system between rows, whose pages then come anew.
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+  const MemoryScope scope = source.workers == 1 ? MemoryScope::row : MemoryScope::process;
+  std::atomic<bool> failed = false;
+  in_threads(static_cast<std::uint32_t>(source.workers), [&](std::uint32_t number) {
+    try {
+      const auto worker = static_cast<int>(number);
+      const OneThread one_thread;
+      const Pinning pinning(source.core_of(worker));
+      RowMaker maker = source.maker(worker, scope);
+      while (!failed && !session.stopped()) {
+        const std::optional<RowJob> job = source.next(worker);
+        if (!job) return;
+        maker.prepare(session.plan(), job->request.index);
+        source.done(*job, maker.make_row(job->run(), job->request));
+      }
+    } catch (...) {
+      failed = true;
+      throw;
+    }
+  });
 }
 
 void together(Ranks& ranks, const std::function<void()>& step) {

@@ -66,27 +66,21 @@ static_assert(std::is_trivially_copyable_v<RowRequest>);  // it is sent as it st
 
 // Serves rows until the parent hangs up. Source and plan are the parent's.
 void serve(int socket, const RowSource& source, int worker) {
-  const StudyPlan& plan = source.session().plan();
+  const StudyPlan& plan = source.session.plan();
   const Pinning pinning(source.core_of(worker));
   RowMaker maker = source.maker(worker, MemoryScope::worker);
-  PlannedInstance instance;
-  std::optional<std::size_t> prepared;
   RowRequest request;
   while (receive_all(socket, bytes_in(request))) {
-    const bool is_new = prepared != request.index;
-    if (is_new) instance = plan.instances[request.index];
-    const PlannedRun& planned = instance.runs.at(request.run);
     RunRecord run;
     {
       std::optional<rlimit> before;
       if (const auto& limit = plan.budget.row_memory_bytes) {
-        before = limit_address_space((*limit)(instance.n));
+        before = limit_address_space((*limit)(plan.instances[request.index].n));
       }
       BOOST_SCOPE_EXIT_ALL(&) {
         if (before) setrlimit(RLIMIT_AS, &*before);
       };
-      if (is_new) maker.prepare(instance);
-      prepared = request.index;
+      const PlannedRun& planned = maker.prepare(plan, request.index).runs.at(request.run);
       if (!send_all(socket, row_message(kBegun, maker.begun(planned)))) return;
       run = maker.make_row(planned, request);
     }
@@ -116,7 +110,7 @@ using WorkerEnd = std::pair<RunStatus, std::string>;
 // hand, or there is nothing left for it.
 class WorkerSlot {
  public:
-  WorkerSlot(RowSource& source, const std::function<double()>& awake_s, int number)
+  WorkerSlot(const RowSource& source, const std::function<double()>& awake_s, int number)
       : source_(source), awake_s_(awake_s), number_(number) {}
 
   bool busy() const { return job_.has_value(); }
@@ -191,7 +185,7 @@ class WorkerSlot {
     worker_.reset();
     received_.clear();
     oom_kills_before_ = oom_kills();
-    const std::vector<int> kept = descriptors_of_graphs(source_.session().plan());
+    const std::vector<int> kept = descriptors_of_graphs(source_.session.plan());
     worker_ = Child::forked({.kept = kept}, [&](int socket) {
       serve(socket, source_, number_);
       return 0;
@@ -223,7 +217,7 @@ class WorkerSlot {
 
   void begin_time() {
     limit_s_.reset();
-    const Budget& budget = source_.session().plan().budget;
+    const Budget& budget = source_.session.plan().budget;
     if (!budget.row_time_s) return;
     limit_s_ = (*budget.row_time_s)(job_->instance->n);
     cpu_before_s_ = cpu_s();
@@ -247,7 +241,7 @@ class WorkerSlot {
     source_.done(*job_, std::move(run));
   }
 
-  RowSource& source_;
+  const RowSource& source_;
   const std::function<double()>& awake_s_;
   int number_;
   std::optional<Child> worker_;
@@ -276,12 +270,12 @@ void wait_for_news(const std::vector<WorkerSlot>& slots) {
 
 }  // namespace
 
-void work_in_processes(RowSource& source) {
-  const auto stopped = [&] { return source.session().stopped(); };
+void work_in_processes(const RowSource& source) {
+  const auto stopped = [&] { return source.session.stopped(); };
   const std::function<double()> awake_s = awake_clock();
   std::vector<WorkerSlot> slots;
-  slots.reserve(static_cast<std::size_t>(source.workers()));
-  for (int i = 0; i < source.workers() && !stopped(); ++i) {
+  slots.reserve(static_cast<std::size_t>(source.workers));
+  for (int i = 0; i < source.workers && !stopped(); ++i) {
     slots.emplace_back(source, awake_s, i).begin_next();
   }
   while (

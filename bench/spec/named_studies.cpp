@@ -56,8 +56,7 @@ std::string movable_text(const Study& whole) {
   if (!has_graphs) return spec.text;
   toml::table study = parse_toml(spec.text, spec.name);
   for_each_table(study, "sweep", [&](toml::table& sweep) {
-    if (toml::node* const graphs = sweep.get("graphs"))
-      make_paths_absolute(*graphs, whole.files.folder);
+    if (toml::node* const graphs = sweep.get("graphs")) make_paths_absolute(*graphs, whole.folder);
   });
   return toml_text_of(study);
 }
@@ -67,7 +66,9 @@ Study with_timed_rounds(const Study& whole, std::uint64_t rounds) {
   for_each_table(study, "sweep", [&](toml::table& sweep) {
     sweep.insert_or_assign("timed_repetitions", static_cast<std::int64_t>(rounds));
   });
-  return {parse_study(toml_text_of(study), whole.spec.name + " with --timed"), whole.files};
+  Study timed = whole;
+  timed.spec = parse_study(toml_text_of(study), whole.spec.name + " with --timed");
+  return timed;
 }
 
 std::string text_of_a_turn(const Study& whole, std::int64_t most_timed) {

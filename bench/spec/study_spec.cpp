@@ -322,7 +322,7 @@ Study load_study(const std::string& name_or_path) {
                                  fmt::join(known, ", ")));
   }
   return {parse_study(read_file(name_or_path), name_or_path),
-          {.folder = std::filesystem::path(name_or_path).parent_path().string()}};
+          std::filesystem::path(name_or_path).parent_path().string()};
 }
 
 AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
@@ -334,15 +334,15 @@ AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
 }
 
 Study recorded_study(const StudyIdentity& identity, const std::string& file) {
-  StudySpec spec = parse_study(identity.spec, file + " (its specification)");
-  for (Sweep& sweep : spec.sweeps) {  // what has become of them since is not a line's fault
+  Study study = parse_study(identity.spec, file + " (its specification)");
+  for (Sweep& sweep : study.spec.sweeps) {  // what has become of them since is not a line's fault
     for (GraphsEntry& entry : sweep.graphs) entry.location = file + ": ";
   }
-  return {std::move(spec),
-          {.begun_with = side_records<GraphFileRecord>(identity),
-           .collected = side_records<CollectedFile>(identity),
-           .skipped = side_records<SkippedFile>(identity),
-           .stored_graphs = std::make_shared<const StoredGraphs>(stored_graphs(identity))}};
+  study.begun_with = side_records<GraphFileRecord>(identity);
+  study.collected = side_records<CollectedFile>(identity);
+  study.skipped = side_records<SkippedFile>(identity);
+  study.stored_graphs = std::make_shared<const StoredGraphs>(stored_graphs(identity));
+  return study;
 }
 
 std::string default_results_path(const StudySpec& spec) { return "ar3d-" + spec.name + ".h5"; }

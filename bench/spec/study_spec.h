@@ -162,10 +162,15 @@ struct OpenFiles {
   std::map<std::string, std::shared_ptr<const Corpus>> corpora;  ///< by files and options
 };
 
-/// Holds where the graphs of a study's files are, and what a study that has begun knows of them.
-struct StudyFiles {
+/// Represents a study to be planned: its specification, where the graphs of its files are and, of a
+/// study that has begun, what it knows of them.
+struct Study {
+  // NOLINTNEXTLINE(google-explicit-constructor): without files a specification is a study
+  Study(StudySpec says = {}, std::string its_folder = {})
+      : spec(std::move(says)), folder(std::move(its_folder)) {}
+  StudySpec spec;
   /// Holds where the files of `graphs` are looked for; empty: in the current folder.
-  std::string folder = {};
+  std::string folder;
   /// Holds, if given, the files that the study began with, in order; the patterns of `graphs` say
   /// no more.
   std::optional<std::vector<GraphFileRecord>> begun_with = {};
@@ -175,19 +180,10 @@ struct StudyFiles {
   /// Holds its graphs; null or without a family: they are not held.
   std::shared_ptr<const StoredGraphs> stored_graphs = {};
   /// Holds results, report and drawings of the study; none of them is a graph of a folder.
-  std::vector<std::string> own = {};
-  bool grow = false;  ///< what they hold by now and the study does not is to be added
+  std::vector<std::string> own_files = {};
+  bool grows = false;  ///< what they hold by now and the study does not is to be added
   /// Holds files that were opened, for all copies of the study.
   std::shared_ptr<OpenFiles> open_files = std::make_shared<OpenFiles>();
-};
-
-/// Represents a study to be planned: its specification and its files.
-struct Study {
-  // NOLINTNEXTLINE(google-explicit-constructor): without files a specification is a study
-  Study(StudySpec says = {}, StudyFiles looks_in = {})
-      : spec(std::move(says)), files(std::move(looks_in)) {}
-  StudySpec spec;
-  StudyFiles files;
 };
 
 /// Reads a specification; docs/study.md describes the keys.

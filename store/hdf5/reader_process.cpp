@@ -1,7 +1,5 @@
 // A process of its own for a library that forged files can crash: what it breaks there is only its
 // own memory, and all that comes back is bytes whose length is sent first.
-#include "ar3d/store/hdf5/reader_process.h"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -15,6 +13,7 @@
 #include <exception>
 
 #include "ar3d/base/error.h"
+#include "ar3d/store/hdf5/results_file.h"
 
 namespace ar3d {
 namespace {

@@ -171,7 +171,7 @@ TEST(History, AnUnfinishedRowLeavesAGapAndNoOtherValue) {
     if (commit == 2) results.runs[0].status = RunStatus::timeout;
   });
   EXPECT_THAT(line_of(history, "a", Measure::volume).values, SizeIs(kCommits - 1));
-  EXPECT_EQ(history.results[2].table.unfinished, 1U);
+  EXPECT_EQ(history.results[2].unfinished, 1U);
 }
 
 TEST(History, ShortLinesAreNotJudgedAndSaid) {

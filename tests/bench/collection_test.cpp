@@ -121,7 +121,7 @@ TEST_F(Collections, AStudyThatBeganNoticesAChangeOfFilesAndGroups) {
   EXPECT_EQ(files[0].graphs, 5);
   const auto later = [&] {
     Study spec = study(entry);
-    spec.files.begun_with = files;
+    spec.begun_with = files;
     return problem([&] { plan_study(spec); });
   };
   EXPECT_EQ(later(), "");

@@ -251,10 +251,10 @@ TEST_F(Files, AStudyThatBeganKeepsItsFilesAndNoticesAChange) {
   ASSERT_EQ(files.size(), 1u);
   write("b.s6", {petersen()});
   Study later = study("graphs = \"*.s6\"\n");
-  later.files.begun_with = files;
+  later.begun_with = files;
   EXPECT_EQ(plan_study(later).instances.size(), 30u) << "b.s6 is no file of that study";
   write("a.s6", {petersen()});
-  later.files.open_files = std::make_shared<OpenFiles>();
+  later.open_files = std::make_shared<OpenFiles>();
   const std::string told = problem([&] { plan_study(later); });
   EXPECT_THAT(told,
               HasSubstr("a.s6: its graphs are not those that the study began with (1 graphs"));

@@ -21,7 +21,7 @@ class GraphFiles : public ::testing::Test {
   }
   Study study(const std::string& sweep) const {
     return {parse_study("study = \"t\"\n[[sweep]]\nalgorithms = \"diamond\"\n" + sweep, "t.toml"),
-            {.folder = scratch_.path("")}};
+            scratch_.path("")};
   }
 
   ScratchDirectory scratch_;

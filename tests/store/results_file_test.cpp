@@ -12,7 +12,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/hdf5/reader_process.h"
 #include "ar3d/store/journal/journal_format.h"
 #include "ar3d/store/rows.h"
 #include "store/forged.h"
