@@ -190,7 +190,7 @@ class Told(Page):
                                      ("0.2.0-two-bend-109", 10**4, "two-bend-109"), ("1.0.0-routed", 1000, "routed routed-120")):
             rows = h5py.File(REFERENCE / f"{study}.h5")["runs"][:]
             for name in algorithms.split():
-                cell = cells("README.md", f"`{name}`")
+                cell = cells("README.md", f"[`{name}`]")
                 self.assertEqual(len(cell), 4, "five columns")
                 family = b"random-4-regular" if "up to 4" in cell[0] else b"random-cubic"
                 usual = [options for options in set(rows["options"]) if re.match(rb"effort=1(;bends=3|$)", options)]
