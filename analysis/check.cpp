@@ -74,11 +74,6 @@ void check_certificate(const RunRecord& run, const Add& add) {
 /// So many violations, and so many other findings, are kept with their message.
 constexpr std::size_t kKeptFindings = 1000;
 
-bool comes_first(const Finding& a, const Finding& b) {
-  return std::tuple(!is_violation(a.kind), a.row.value_or(0)) <
-         std::tuple(!is_violation(b.kind), b.row.value_or(0));
-}
-
 template <class Add>
 void check_whole_file(const Rows& rows, bool any_drawn, const Add& add) {
   if (!any_drawn) {
@@ -225,7 +220,9 @@ CheckVerdict check(const Rows& rows, const std::string& one_study) {
     verdict.incomplete_rows += touched[row] && !violated[row];
     verdict.proved += is_ok[row] && !violated[row] && !touched[row];
   }
-  std::stable_sort(verdict.findings.begin(), verdict.findings.end(), comes_first);
+  std::ranges::stable_sort(verdict.findings, {}, [](const Finding& finding) {
+    return std::tuple(!is_violation(finding.kind), finding.row.value_or(0));
+  });
   verdict.is_last_repetition = last_repetitions(prints);
   return verdict;
 }

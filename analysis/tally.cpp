@@ -19,11 +19,6 @@ constexpr std::size_t kMostOfASize = 4096, kLeastOfASize = 8;
 constexpr std::size_t kMostCensored = 1000, kMostBatches = 10000;
 constexpr std::size_t kTimed = 9;  // index of the timing phase in log_sum
 
-bool is_censored(RunStatus status) {
-  return status == RunStatus::timeout || status == RunStatus::out_of_memory ||
-         status == RunStatus::crashed;
-}
-
 // What decides whether a graph is in the sample: a fixed shuffle (SplitMix64) of seed and index, so
 // that the curves keep the same graphs.
 std::uint64_t priority(const DrawnGraph& graph) {
@@ -41,13 +36,6 @@ void keep_sample(std::size_t most, std::vector<DrawnGraph>& graphs) {
     return std::pair(priority(a), a.row) < std::pair(priority(b), b.row);
   });
   graphs.erase(end, graphs.end());
-}
-
-// Coordinates of a program are decimals, counted in units of the last one: its extents say nothing.
-void take_relative_size(DrawnGraph& graph) {
-  graph.extents = graph.instance_bound = {-1, -1, -1};
-  graph.theorem_bound = graph.published_bound = {kMissing, kMissing, kMissing};
-  graph.log2_volume = graph.log2_relative_volume;
 }
 
 // Of "name=value;…"; -1 if it is not there.
@@ -79,7 +67,11 @@ DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n, bo
   graph.published_bound = run.published_bound;
   graph.log2_volume = run.log2_volume;
   graph.log2_relative_volume = column_number(relative, record.data());
-  if (has_own_unit) take_relative_size(graph);
+  if (has_own_unit) {  // its coordinates are decimals in units of the last one
+    graph.extents = graph.instance_bound = {-1, -1, -1};
+    graph.theorem_bound = graph.published_bound = {kMissing, kMissing, kMissing};
+    graph.log2_volume = graph.log2_relative_volume;
+  }
   graph.metrics.reserve(columns.size());
   for (const Column& column : columns) {
     graph.metrics.push_back(column_number(column, record.data()));
@@ -176,7 +168,8 @@ void Tallying::add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& op
   curve.unproved += run.status == RunStatus::ok && run.violations <= 0 &&
                     (run.violations < 0 || !run.certificate.empty());
   if (is_batched(run.phase)) add_batch(run, curve.key);
-  if (is_censored(run.status)) {
+  if (run.status == RunStatus::timeout || run.status == RunStatus::out_of_memory ||
+      run.status == RunStatus::crashed) {
     open.censored = true;
     if (open.n >= 1 && curve.censored.size() < kMostCensored) {
       DrawnGraph& ended = curve.censored.emplace_back();

@@ -39,14 +39,6 @@ std::optional<int> rank_between(std::string_view name, std::string_view before,
 
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
 
-// The rank whose journal has that file name; nothing: it is no journal of this study. Only names
-// are compared, never paths: one folder has many of these.
-std::optional<int> rank_of_journal(const std::string& name, const std::string& results) {
-  const std::string own = file_name(results);
-  if (name == own + std::string(kSuffix)) return 0;
-  return rank_between(name, own + std::string(kRank), kSuffix);
-}
-
 std::string folder_of(const std::string& path) {
   const std::string folder = fs::path(path).parent_path().string();
   return folder.empty() ? "." : folder;
@@ -110,9 +102,13 @@ void require_results_name(const std::string& results) {
 }
 
 std::vector<std::string> existing_journals(const std::string& results) {
+  const std::string own = file_name(results);
   std::vector<int> ranks;
   for (const std::string& name : names_beside(results)) {
-    if (const auto rank = rank_of_journal(name, results)) ranks.push_back(*rank);
+    if (name == own + std::string(kSuffix)) ranks.push_back(0);
+    if (const auto rank = rank_between(name, own + std::string(kRank), kSuffix)) {
+      ranks.push_back(*rank);
+    }
   }
   std::sort(ranks.begin(), ranks.end());
   std::vector<std::string> paths;

@@ -54,10 +54,6 @@ std::string instance_identity(const PlannedInstance& instance) {
   return text;
 }
 
-std::uint64_t instance_seed(std::uint64_t study_seed, const std::string& identity) {
-  return mix_seed(study_seed, XXH3_64bits(identity.data(), identity.size()));
-}
-
 // What stands before the repetition tells the phases apart; the metrics phase has nothing there.
 std::string row_key(const std::string& prefix, const PlannedRun& run) {
   std::string text;
@@ -92,7 +88,7 @@ Graph graph_of(const PlannedInstance& instance) {
 
 void set_seed_and_keys(std::uint64_t study_seed, PlannedInstance& instance) {
   const std::string identity = instance_identity(instance);
-  instance.seed = instance_seed(study_seed, identity);
+  instance.seed = mix_seed(study_seed, XXH3_64bits(identity.data(), identity.size()));
   std::string prefix;
   prefix.reserve(kUsualText);
   append_line(prefix, "study_seed", study_seed);

@@ -51,7 +51,6 @@ class StudySession {
 
  private:
   class Progress;
-  bool is_budget_spent() const;
 
   const StudyPlan& plan_;
   const SessionPolicy& policy_;

@@ -26,12 +26,6 @@ double halves_difference(std::span<const double> values) {
 
 namespace {
 
-// A system does its own work on the first ones.
-std::vector<int> last_cores(std::uint32_t count) {
-  const std::vector<int> allowed = allowed_cores();
-  return {allowed.rbegin(), allowed.rbegin() + count};
-}
-
 // One drawing's repetitions.
 struct TimedDrawing {
   std::size_t index = 0;
@@ -233,10 +227,11 @@ void make_metrics(StudySession& session) {
 
 void make_timing(StudySession& session) {
   const std::uint32_t workers = session.plan().timing.concurrency;
+  const std::vector<int> allowed = allowed_cores();
   TimingRounds rounds(session);
   execute({.session = session,
            .workers = static_cast<int>(workers),
-           .cores = last_cores(workers),
+           .cores = {allowed.rbegin(), allowed.rbegin() + workers},  // the system's are the first
            .next = [&](int) { return rounds.next(); },
            .done = [&](const RowJob& job, RunRecord row) { rounds.done(job, std::move(row)); }});
   for (const EnvironmentEntry& entry : rounds.ending()) session.note(entry);

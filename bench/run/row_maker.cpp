@@ -113,14 +113,6 @@ void set_run(const PlannedRun& planned, RunRecord& run) {
   run.repetition = planned.repetition;
 }
 
-// A row that no results file could hold (a name that is too long, say) is a bug, but only of this
-// row.
-void mark_if_not_storable(RunRecord& run) {
-  if (attempt(run, [&] { record_of(run); })) return;
-  run.status = RunStatus::crashed;
-  run.counters.clear();
-}
-
 constexpr std::size_t kHead = sizeof(std::uint64_t);  // of a row on its way: the checksum
 
 std::uint64_t checksum_of(std::string_view message) {
@@ -201,7 +193,12 @@ RunRecord RowMaker::make_row(const PlannedRun& planned, const RowRequest& reques
   if (graph_) attempt(run, [&] { draw_and_certify(planned, request, run); });
   run.peak_bytes = memory_.peak_bytes();
   run.peak_scope = to_string(memory_.scope());
-  mark_if_not_storable(run);
+  // A row that no results file could hold (a name that is too long, say) is a bug, but only of this
+  // row.
+  if (!attempt(run, [&] { record_of(run); })) {
+    run.status = RunStatus::crashed;
+    run.counters.clear();
+  }
   return run;
 }
 

@@ -82,13 +82,6 @@ void write_spec(hid_t file, const std::string& spec) {
                "write /spec");
 }
 
-StoredTable instances_spec() {
-  StoredTable spec{"instances", "one record per graph", {}};
-  for (const Column& column : columns_of_kind(ColumnKind::instance)) spec.columns.push_back(column);
-  pack_columns(spec.columns);
-  return spec;
-}
-
 void put(HashStream& hash, const char* bytes, std::size_t size) {
   hash.put(std::uint64_t{XXH3_64bits(bytes, size)});
 }
@@ -107,9 +100,11 @@ std::string description_of(const StudyIdentity& identity,
 // The table of rows and, of every graph once, their columns that describe it.
 void write_rows(hid_t file, std::size_t count,
                 const std::function<void(std::size_t i, char* record)>& read, HashStream& hash) {
-  TableWriter instances(file, instances_spec());
-  TableWriter runs(file, runs_spec());
   const std::vector<Column> columns = columns_of_kind(ColumnKind::instance);
+  StoredTable instances_spec{"instances", "one record per graph", columns};
+  pack_columns(instances_spec.columns);
+  TableWriter instances(file, instances_spec);
+  TableWriter runs(file, runs_spec());
   std::vector<char> row(run_record_size());
   std::string instance, key;
   std::unordered_set<RowKey> seen;

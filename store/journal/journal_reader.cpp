@@ -100,13 +100,6 @@ void require_beginning(const StudyIdentity& identity, const std::string& path) {
   }
 }
 
-bool is_locked(int file) {
-  struct flock range {};
-  range.l_type = F_WRLCK;
-  range.l_whence = SEEK_SET;
-  return fcntl(file, F_OFD_GETLK, &range) == 0 && range.l_type != F_UNLCK;
-}
-
 }  // namespace
 
 std::uint64_t scan_journal(int file, const std::string& path,
@@ -151,7 +144,10 @@ JournalStatus journal_status(const std::string& path) {
   const JournalRecord last = last_journal_record(file.get(), path);
   status.rows = last.rows;
   status.not_ok = last.not_ok;
-  status.writers = is_locked(file.get()) ? 1 : 0;
+  struct flock range {};
+  range.l_type = F_WRLCK;
+  range.l_whence = SEEK_SET;
+  status.writers = fcntl(file.get(), F_OFD_GETLK, &range) == 0 && range.l_type != F_UNLCK;
   status.journals = 1;
   return status;
 }

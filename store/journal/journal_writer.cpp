@@ -161,32 +161,26 @@ void JournalWriter::write_line(JournalRecord record) {
   frame_record(record, line_);
   if (const std::size_t written = write_whole(file_.get(), line_); written < line_.size()) {
     const int reason = errno;
-    cut_half_record(written);
+    // Nothing is cut off where another process has written meanwhile. Should this fail as well, the
+    // next writer cuts the half record off.
+    const off_t size = lseek(file_.get(), 0, SEEK_END);
+    if (size >= 0 && size <= static_cast<off_t>(end_ + written)) {
+      [[maybe_unused]] const int cut = ftruncate(file_.get(), static_cast<off_t>(end_));
+    }
     fail(reason);
   }
   // The file is opened for appending: a write that ends elsewhere began behind bytes of another
   // process, and this record does not count there.
   const off_t written_to = lseek(file_.get(), 0, SEEK_CUR);
-  if (written_to != static_cast<off_t>(end_ + line_.size())) fail_because_of_another();
+  if (written_to != static_cast<off_t>(end_ + line_.size())) {
+    throw JournalFull(
+        fmt::format("{} is being written by another process, too: its file system keeps no locks; "
+                    "this process ends, so that one is left",
+                    path_));
+  }
   last_ = record;
   end_ += line_.size();
   unsynced_ = true;
-}
-
-// After a write that failed behind so many bytes. Nothing is cut off where another process
-// has written meanwhile. Should this fail as well, the next writer cuts the half record off.
-void JournalWriter::cut_half_record(std::size_t written) {
-  const off_t size = lseek(file_.get(), 0, SEEK_END);
-  const auto ours = static_cast<off_t>(end_ + written);
-  if (size > ours || size < 0) return;
-  if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) return;
-}
-
-void JournalWriter::fail_because_of_another() const {
-  throw JournalFull(
-      fmt::format("{} is being written by another process, too: its file system keeps no locks; "
-                  "this process ends, so that one is left",
-                  path_));
 }
 
 // The file is there as long as it is open, but it would not be found any more.

@@ -66,8 +66,6 @@ class JournalWriter {
   void lock();
   void read_existing(const StudyIdentity& identity);
   void keep_what_is_cut();
-  void cut_half_record(std::size_t written);
-  [[noreturn]] void fail_because_of_another() const;
   void put_back_if_deleted();
   void write_line(JournalRecord record);
   void sync_every_second();
