@@ -39,20 +39,20 @@ struct RowCosts {
 };
 using CostModel = std::function<RowCosts(std::uint64_t n)>;
 
-// Times at the larger calibration size * (n / that size)^exponent.
+// Times and bytes at the larger calibration size * (n / that size)^exponent.
 CostModel model_through(const RowCosts& small, const RowCosts& large) {
   const auto exponent = [&](double RowCosts::*value) {
     if (large.n <= small.n || small.*value <= 0 || large.*value <= 0) return 1.0;
     return std::clamp(std::log(large.*value / (small.*value)) / std::log(large.n / small.n), 1.0,
                       2.5);
   };
-  return [large, of_row = exponent(&RowCosts::row_s),
-          of_drawing = exponent(&RowCosts::draw_s)](std::uint64_t wanted) {
+  return [large, of_row = exponent(&RowCosts::row_s), of_drawing = exponent(&RowCosts::draw_s),
+          of_bytes = exponent(&RowCosts::bytes)](std::uint64_t wanted) {
     const auto n = static_cast<double>(wanted);
-    const double size = std::max(large.n, 1.0), ratio = std::max(n, 1.0) / size;
+    const double ratio = std::max(n, 1.0) / std::max(large.n, 1.0);
     return RowCosts{n, large.row_s * std::pow(ratio, of_row),
                     large.draw_s * std::pow(ratio, of_drawing),
-                    std::max(0.0, large.bytes) / size * n};
+                    std::max(0.0, large.bytes) * std::pow(ratio, of_bytes)};
   };
 }
 
@@ -139,7 +139,9 @@ CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std
   };
   const std::uint64_t size = calibration_size(largest);
   const RowCosts small = measured(smaller(size));
-  if (small.row_s > kSlow_s) return model_through(measured(smaller(smaller(size))), small);
+  const bool is_slow = small.row_s > kSlow_s;  // then exponents grow with n, far beyond its size
+  if (is_slow && largest > size) return model_through(small, measured(2 * smaller(size)));
+  if (is_slow) return model_through(measured(smaller(smaller(size))), small);
   const auto n_of = [&](std::uint64_t wanted) {
     return instance.choice.family->nearest_n(wanted, instance.choice.parameters);
   };

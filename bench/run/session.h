@@ -95,9 +95,9 @@ struct CellEstimate {
 };
 
 /// Holds what a study will cost, extrapolated from runs at small sizes on this machine: for each
-/// family and algorithm a power law through two sizes for the CPU time (exponent between 1 and
-/// 2.5), and proportional to n for the memory. An estimate: expect it to be right within a factor
-/// of about three.
+/// family and algorithm power laws through two sizes for the CPU time and the memory (exponents
+/// between 1 and 2.5). An estimate: expect it to be right within a factor of about three, and of
+/// six for routed drawings beyond 3000 vertices.
 struct StudyEstimate {
   std::vector<CellEstimate> cells;  ///< in the plan's order
   std::size_t rows = 0;             ///< without the optional ones
@@ -111,8 +111,8 @@ struct StudyEstimate {
 };
 
 /// Draws each family with each algorithm at two sizes, the larger one 3000 or a thirtieth of the
-/// largest planned, but at most 33,333: a few seconds for the whole catalogue. Each in a process of
-/// its own that may use twice what the plan's budget gives such a row. To be called while no other
+/// largest planned, but at most 33,333: a few seconds for the whole catalogue. Slow drawings are
+/// made at smaller sizes. Each in a process of its own that may use twice what the plan's budget gives such a row. To be called while no other
 /// thread runs.
 /// @throws InputError naming a cell of which that is not enough.
 StudyEstimate estimate(const StudyPlan& plan, int threads);

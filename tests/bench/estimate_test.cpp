@@ -64,14 +64,15 @@ TEST(Estimate, GrowsWithNFromSmallRuns) {
 
 // Routed drawings take seconds: a plan that drew the largest would take as long as the study.
 TEST(Estimate, SlowDrawingsAreKnownFromSmallerOnes) {
-  const StudyEstimate made =
-      estimate(plan_study(parse_study("study = \"t\"\n[[sweep]]\nfamilies = \"random-cubic\"\n"
-                                      "sizes = 900\nalgorithms = \"routed-120\"\n",
-                                      "t.toml")),
-               1);
+  const auto routed = [](const std::string& sweep) {
+    return estimate(plan_study(parse_study("study = 't'\n[[sweep]]\n" + sweep, "t.toml")), 1);
+  };
+  const auto made = routed("families = 'random-cubic'\nsizes = 900\nalgorithms = 'routed-120'\n");
   EXPECT_EQ(made.calibration_n, 150u);
   EXPECT_GT(made.cells[0].row_s, 1.8) << "six times as long as the trial at least";
-  EXPECT_GT(made.cells[0].row_bytes, 0);
+  const auto large = routed("families = 'random-4-regular'\nsizes = 9999\nalgorithms = 'routed'\n");
+  EXPECT_EQ(large.calibration_n, 1000u);
+  EXPECT_GT(large.cells[0].row_s, 20);
 }
 
 TEST(Estimate, BytesHaveThreeDigitsAndAUnit) {
