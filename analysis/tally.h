@@ -128,7 +128,6 @@ struct CurveTally {
   /// their values are not known, of times only that they are larger than what the others needed.
   std::vector<DrawnGraph> censored;
   // What analyse() fills in, beside the medians of the axes.
-  std::int64_t volume_n = -1;     ///< the largest n that was drawn: volumes are of its graphs
   double log2_volume = kMissing;  ///< lattice points of the box, median
   /// Is the volume over that of the theorem's own box, the product of bound + 1, median. It has the
   /// order that the very theorem promises; missing without a theorem's bound.

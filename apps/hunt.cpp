@@ -133,7 +133,7 @@ int hunt_and_show(HuntArguments arguments) {
   const ExternalDrawer programs;
   arguments.hunting.families = chosen_families(arguments, *subject.choice.algorithm, of_row);
   const HuntResult result = hunt(subject, arguments.hunting, [](const HuntResult& so_far) {
-    note(stderr, "{:>8} graphs: {:.4f} from {}\n", so_far.evaluations, so_far.best.ratio,
+    note(stderr, "{:>8} graphs: {:.6g} from {}\n", so_far.evaluations, so_far.best.ratio,
          so_far.start.family->name);
   });
   const std::string which =

@@ -2,8 +2,6 @@
 // lines that show it again.
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "ar3d/base/new_file.h"
 #include "ar3d/formats/drawings/drawing_exports.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
@@ -91,10 +89,10 @@ std::string trial_text(const Trial& trial, const HuntArguments& arguments) {
   }
   std::string text = fmt::format(
       "{} vertices, {} edges: box {} x {} x {} of {:.6g} x {:.6g} x {:.6g}; "
-      "{} is {:.4f} of the {}'s bound\n",
+      "{} is {:.6g} of the {}'s bound\n",
       trial.graph.num_vertices(), trial.graph.num_edges(), trial.extents[0], trial.extents[1],
       trial.extents[2], trial.bound[0], trial.bound[1], trial.bound[2], arguments.measure,
-      std::floor(trial.ratio * 1e4) / 1e4, arguments.against);
+      trial.ratio, arguments.against);
   if (trial.failure.empty()) return text;
   return text + fmt::format("VIOLATED: {}: {}\n", trial.failure, trial.message);
 }

@@ -44,7 +44,6 @@ void add_volume(CurveTally& curve) {
   const auto last = std::find_if(curve.sizes.rbegin(), curve.sizes.rend(),
                                  [](const auto& size) { return size.second.drawn > 0; });
   if (last == curve.sizes.rend()) return;
-  curve.volume_n = last->first;
   std::vector<double> volumes, shares, over_least;
   for (const DrawnGraph& graph : last->second.graphs) {
     volumes.push_back(graph.log2_volume);

@@ -2,6 +2,7 @@
 import html
 import json
 import os
+import re
 import resource
 import xml.etree.ElementTree
 
@@ -112,7 +113,9 @@ class SeveralFiles(Program):
         self.refused(draw + "a.edges c.g6 -o x.svg", "one drawing")
         self.refused(draw + "a.edges none.g6", "cannot read none.g6")
         self.refused(draw + "a.edges c.g6 -o c.g6 --format jsonl", "c.g6")
-        self.expect("ar3d hunt --algorithm grid --graphs c.g6 --graphs a.edges --evaluations 20", out="comes from 2 files (")
+        said = self.expect("ar3d hunt --algorithm grid --graphs c.g6 --graphs a.edges --evaluations 20", out="comes from 2 files (")
+        share = re.search(r"side is (\S+) of the theorem's bound", said.out)
+        self.assertGreater(float(share[1]), 0, share)
 
     def test_what_is_assumed_of_a_file_is_said_on_the_terminal_in_the_results_and_on_the_page(self):
         for text, note in (("source,target\n0,1\n1,2\n", "lists.csv:1: 'source target' is a heading, no edge"),
