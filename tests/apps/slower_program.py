@@ -1,6 +1,6 @@
 """Makes a build of the program that draws slower where it is asked to: slower_program.py SOURCE PROGRAM OUTPUT
 
-One function of algorithms/catalog.cpp reads AR3D_SLOWER="ALGORITHM PERCENT KIND" (ALGORITHM may be "all") and adds to
+One function of algorithms/algorithm.cpp reads AR3D_SLOWER="ALGORITHM PERCENT KIND" (ALGORITHM may be "all") and adds to
 that algorithm's drawings PERCENT of their time: KIND "wait" waits on the clock, "work" computes, as many steps for every
 vertex on every run. It is compiled and linked with the commands of the build that made PROGRAM."""
 import pathlib, shlex, subprocess, sys
@@ -30,8 +30,8 @@ NEW = """  static const char* const asked = std::getenv("AR3D_SLOWER");
   for (long i = 0; i < steps; ++i) asm volatile("" : : "r"(i));
   return drawing;
 """
-text = pathlib.Path(source, "algorithms/catalog.cpp").read_text()
-assert text.count(OLD) == 1, "algorithms/catalog.cpp has another draw()"
+text = pathlib.Path(source, "algorithms/algorithm.cpp").read_text()
+assert text.count(OLD) == 1, "algorithms/algorithm.cpp has another draw()"
 changed, compiled = output + ".cpp", output + ".o"
 headers = "".join(f"#include <{name}>\n" for name in ["cstdio", "cstdlib", "cstring", "ctime"])
 pathlib.Path(changed).write_text(headers + text.replace(OLD, NEW))
@@ -47,7 +47,7 @@ def run(command, replacements):
 
 
 # Alone, or among the sources that are compiled together with it.
-path = str(pathlib.Path(source, "algorithms/catalog.cpp"))
+path = str(pathlib.Path(source, "algorithms/algorithm.cpp"))
 compile_it, = [c for c in commands if c[-1].endswith((".cpp", ".cxx")) and (c[-1] == path or path in pathlib.Path(build, c[-1]).read_text())]
 if compile_it[-1] != path:
     together = pathlib.Path(build, compile_it[-1]).read_text()
