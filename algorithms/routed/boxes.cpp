@@ -36,8 +36,9 @@ class BoxSearch {
 
   std::optional<Routing> run() {
     const std::uint64_t edges = graph_.num_edges();
-    const std::uint64_t usual =  // of effort 1
-        std::min(150 * edges + 2500, bends_ == 3 ? 12 * edges + 10000 : 25 * edges + 20000);
+    const std::uint64_t most =
+        bends_ == 3 ? 12 * edges + 10000 : std::min(25 * edges + 20000, 10 * edges + 50000);
+    const std::uint64_t usual = std::min(150 * edges + 2500, most);  // of effort 1
     const std::uint64_t most_times = is_small() ? 20 : 10;
     most_searches_ = 2 * usual;
     if (find_first() && options_.effort > 0) {
