@@ -9,7 +9,6 @@
 
 #include "ar3d/algorithms/two_bend_120/growing_tree.h"
 #include "ar3d/algorithms/two_bend_120/numbering.h"
-#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_120 {
 namespace {
@@ -43,6 +42,13 @@ class NestedOrder {
   Vertex dominator(Vertex v) const { return dominators_.parent(v); }
   /// For a splitter: whether the second prong comes before the first one in that list.
   bool prongs_reversed(Vertex v) const { return reversed_[v]; }
+
+  /// Whether splitter v comes before splitter w in sequence(backwards), if neither is joined.
+  /// O(log n).
+  bool comes_before(Vertex v, Vertex w, const std::vector<bool>& backwards) const {
+    const auto [x, y] = dominators_.branches(v, w);
+    return before(x, y) != backwards[dominators_.parent(x)];
+  }
 
   /// The vertices, the list of a follower v backwards if backwards[v]; of a splitter and the
   /// follower whose stem it is, the D.
@@ -201,14 +207,14 @@ std::optional<std::vector<bool>> directions(const ForkOrder& numbering, const Ne
   return backwards;
 }
 
-/// The vertex of the three that comes second.
-Vertex median(const std::vector<Vertex>& order, const std::array<Vertex, 3>& three) {
-  int seen = 0;
-  for (const Vertex v : order) {
-    const bool is_one = v == three[0] || v == three[1] || v == three[2];
-    if (is_one && ++seen == 2) return v;
-  }
-  throw InternalError("internal error: three vertices are in the order");
+/// The splitter of the three that comes second.
+Vertex median(const NestedOrder& order, const std::vector<bool>& backwards,
+              const std::array<Vertex, 3>& three) {
+  const auto [u, v, w] = three;
+  const bool is_uv = order.comes_before(u, v, backwards);
+  const bool is_vw = order.comes_before(v, w, backwards);
+  if (is_uv == is_vw) return v;
+  return is_uv == order.comes_before(u, w, backwards) ? w : u;
 }
 
 }  // namespace
@@ -227,8 +233,9 @@ std::optional<Orders> find_orders(const CubicGraph& graph, const ForkOrder& numb
     if (!b[j]) b[j].emplace(numbering, false, below);
     const auto backwards = directions(numbering, *a[i], *b[j]);
     if (!backwards) continue;
-    Orders orders{a[i]->sequence(*backwards), b[j]->sequence(*backwards)};
-    if (median(orders.b, above) != above[1] && median(orders.a, below) != below[1]) return orders;
+    if (median(*b[j], *backwards, above) == above[1]) continue;
+    if (median(*a[i], *backwards, below) == below[1]) continue;
+    return Orders{a[i]->sequence(*backwards), b[j]->sequence(*backwards)};
   }
   return std::nullopt;
 }
