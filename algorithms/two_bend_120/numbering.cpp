@@ -140,10 +140,11 @@ std::vector<Vertex> around(const CubicGraph& graph, Vertex v) {
 }
 
 bool is_in_triangle(const CubicGraph& graph, Vertex v) {
-  const std::vector<Vertex> near = around(graph, v);
-  return std::count_if(near.begin(), near.end(), [&](Vertex w) {
-           return w == graph[v][0].to || w == graph[v][1].to || w == graph[v][2].to;
-         }) > 3;
+  const auto& [x, y, z] = graph[v];
+  const auto are_joined = [&](Vertex u, Vertex w) {
+    return graph[u][0].to == w || graph[u][1].to == w || graph[u][2].to == w;
+  };
+  return are_joined(x.to, y.to) || are_joined(y.to, z.to) || are_joined(z.to, x.to);
 }
 
 }  // namespace

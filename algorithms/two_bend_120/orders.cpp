@@ -43,8 +43,7 @@ class NestedOrder {
   /// For a splitter: whether the second prong comes before the first one in that list.
   bool prongs_reversed(Vertex v) const { return reversed_[v]; }
 
-  /// Whether splitter v comes before splitter w in sequence(backwards), if neither is joined.
-  /// O(log n).
+  /// Whether v comes before w in sequence(backwards): two splitters, not joined. O(log n).
   bool comes_before(Vertex v, Vertex w, const std::vector<bool>& backwards) const {
     const auto [x, y] = dominators_.branches(v, w);
     return before(x, y) != backwards[dominators_.parent(x)];

@@ -60,7 +60,8 @@ class Painter {
         contraction_(contraction),
         name_(contraction.nodes.size(), kNoVertex),
         at_(contraction.nodes.size()),
-        stars_(contraction.nodes.size()),
+        stars_(contraction.nodes.size() - graph.num_vertices()),
+        component_(graph.num_vertices()),
         bends_(graph.num_edges()) {}
 
   void draw_all() {
@@ -71,17 +72,20 @@ class Painter {
 
   Drawing finish() const {
     Coordinates vertices(graph_.num_vertices(), std::max<std::int64_t>(largest_, 1));
-    for (Vertex v = 0; v < graph_.num_vertices(); ++v) vertices.set(v, at_[v]);
+    vertices.fill(0, vertices.size(),
+                  [&](std::size_t v) { return at_[v] + shifts_[component_[v]]; });
     auto bends = std::make_shared<StoredBends>();
     bends->reserve(graph_.num_edges(), std::size_t{2} * graph_.num_edges());
     std::vector<Point> line;
-    for (const Bends& points : bends_) {
-      line.assign(points.begin(), points.end());
+    for (EdgeId e = 0; e < graph_.num_edges(); ++e) {
+      const Vector shift = shifts_[component_[graph_.edge(e).u]];
+      line.clear();
+      for (const Point p : bends_[e]) line.push_back(p + shift);
       bends->add_edge(line);
     }
     Drawing drawing{"two-bend-120", kCubeLattice, std::move(vertices), graph_.shared_edges(),
                     std::move(bends)};
-    drawing.counters = {{"components", components_},
+    drawing.counters = {{"components", static_cast<std::int64_t>(shifts_.size())},
                         {"core", static_cast<std::int64_t>(contraction_.left.size())},
                         {"small_cores", small_}};
     return drawing;
@@ -111,7 +115,6 @@ class Painter {
   }
 
   void draw(const Core& core) {
-    ++components_;
     std::optional<Orders> orders;
     const auto numbering = find_numbering(core.graph, [&](const ForkOrder& found) {
       orders = find_orders(core.graph, found);
@@ -122,25 +125,21 @@ class Painter {
     } else {
       draw_from_table(core);
     }
-    std::vector<Vertex> points = core.nodes;  // of the drawing so far, then of the input
-    std::vector<EdgeId> edges;
-    for (Vertex v = 0; v < core.graph.size(); ++v) {
-      for (const HalfEdge& half : core.graph[v]) {
-        if (v < half.to) edges.push_back(half.edge);
-      }
-    }
-    open_triangles(points, edges);
-    stand_beside(points, edges);
+    open_triangles(core.nodes);
+    const Vector size = box_.high() - box_.low();
+    shifts_.push_back(Point{next_x_, 0, 0} - box_.low());
+    box_ = {};
+    next_x_ += size.x + 1;
+    largest_ = std::max({largest_, next_x_, size.y, size.z});
   }
 
   /// Steps F.5 and F.6.
   void draw_by_orders(const Core& core, const ForkOrder& numbering, const Orders& orders) {
     const ForkPlaces placement = place(core.graph, numbering, orders, core.reach);
     for (Vertex v = 0; v < core.graph.size(); ++v) {
-      const Vector at = to_grid(placement.at[v]);
-      at_[core.nodes[v]] = Point{} + at;
+      set_place(core.nodes[v], Point{} + to_grid(placement.at[v]));
       for (std::size_t i = 0; i < 3; ++i) {
-        stars_[core.nodes[v]][i] = grid_direction(placement.stars[v][i]);
+        set_star(core.nodes[v], i, grid_direction(placement.stars[v][i]));
       }
     }
     for (Vertex v = 0; v < core.graph.size(); ++v) {
@@ -154,40 +153,47 @@ class Painter {
         const auto star = [&](Vertex w) {
           return placement.stars[w][slot_of(core.graph[w], half.edge)];
         };
-        set_word(half.edge, core.nodes[v], find_word(star(v), -star(half.to), sum));
+        const auto [directions, lengths] = find_word(star(v), -star(half.to), sum);
+        Bends bends;
+        Point p = at_[core.nodes[v]];
+        for (std::size_t i = 0; i < 2; ++i) {
+          if (lengths[i] == 0) continue;
+          p = p + lengths[i] * grid_direction(directions[i]);
+          bends.push_back(p);
+        }
+        set_bends(half.edge, core.nodes[v], bends);
       }
     }
   }
 
-  /// @param from  the node at which the word begins.
-  void set_word(EdgeId edge, Vertex from, const EdgeWord& word) {
-    const auto& [directions, lengths] = word;
-    Bends bends;
-    Point p = at_[from];
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (lengths[i] == 0) continue;
-      p = p + lengths[i] * grid_direction(directions[i]);
-      bends.push_back(p);
-    }
-    set_bends(edge, from, bends);
-  }
-
   void set_bends(EdgeId edge, Vertex from, Bends bends) {
+    for (const Point p : bends) box_.add(p);
     if (contraction_.ends[edge].u != from) std::reverse(bends.begin(), bends.end());
     bends_[edge] = bends;
   }
 
+  void set_place(Vertex node, Point at) {
+    box_.add(at);
+    at_[node] = at;
+  }
+
+  void set_star(Vertex node, std::size_t slot, Vector direction) {
+    if (node >= graph_.num_vertices()) stars_[node - graph_.num_vertices()][slot] = direction;
+  }
+
   void draw_from_table(const Core& core);
-  void open_triangles(std::vector<Vertex>& points, std::vector<EdgeId>& edges);
-  void stand_beside(const std::vector<Vertex>& points, const std::vector<EdgeId>& edges);
+  void open_triangles(std::vector<Vertex> open);
 
   const Graph& graph_;
   const Nests& contraction_;
-  std::vector<Vertex> name_;  // per node: its name in its core
-  std::vector<Point> at_;     // per node, as the next one
-  std::vector<std::array<Vector, 3>> stars_;
-  std::vector<Bends> bends_;  // per edge, from its end u
-  std::int64_t components_ = 0, small_ = 0, largest_ = 0, next_x_ = 0;
+  std::vector<Vertex> name_;                  // per node: its name in its core
+  std::vector<Point> at_;                     // per node, as the next one
+  std::vector<std::array<Vector, 3>> stars_;  // per contracted triangle
+  std::vector<std::uint32_t> component_;      // per vertex of the input
+  std::vector<Bends> bends_;                  // per edge, from its end u
+  std::vector<Vector> shifts_;                // per component: to a free x, and to 0
+  GrowingBox box_;                            // of the component that is drawn
+  std::int64_t small_ = 0, largest_ = 0, next_x_ = 0;
 };
 
 /// Lemma F.7: the table's drawing of the core, scaled so that the drawings of all its vertices fit.
@@ -207,7 +213,7 @@ void Painter::draw_from_table(const Core& core) {
                     v));
   }
   const SmallCore& small = *found;
-  for (Vertex v = 0; v < small.at.size(); ++v) at_[core.nodes[v]] = scaled(small.at[v]);
+  for (Vertex v = 0; v < small.at.size(); ++v) set_place(core.nodes[v], scaled(small.at[v]));
   for (const auto& [u, v, bends] : small.lines) {
     std::size_t slot = 0;
     while (core.graph[u][slot].to != v) ++slot;
@@ -216,51 +222,38 @@ void Painter::draw_from_table(const Core& core) {
     for (const Point p : bends) line.push_back(scaled(p));
     const Point first = bends.empty() ? small.at[v] : bends.front();
     const Point last = bends.empty() ? small.at[u] : bends.back();
-    stars_[core.nodes[u]][slot] = primitive(first - small.at[u]);
-    stars_[core.nodes[v]][slot_of(core.graph[v], edge)] = primitive(last - small.at[v]);
+    set_star(core.nodes[u], slot, primitive(first - small.at[u]));
+    set_star(core.nodes[v], slot_of(core.graph[v], edge), primitive(last - small.at[v]));
     set_bends(edge, core.nodes[u], line);
   }
 }
 
 /// Step F.7: corner i of a triangle stands on its edge i, at the greatest reach of the other two in
-/// that direction; the side of corners i and j has one bend, at the sum of both steps.
-void Painter::open_triangles(std::vector<Vertex>& points, std::vector<EdgeId>& edges) {
-  for (std::size_t next = 0; next < points.size(); ++next) {
-    while (points[next] >= graph_.num_vertices()) {
-      const Nests::Nest& nest = contraction_.nodes[points[next]];
-      const Point at = at_[points[next]];
-      const std::array<Vector, 3> star = stars_[points[next]];
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-        const Vertex corner = nest.corners[i];
-        const auto& own = contraction_.nodes[corner].edges;
-        at_[corner] = at + std::int64_t{nest.steps[i]} * star[i];
-        stars_[corner][slot_of(own, nest.edges[i])] = star[i];
-        stars_[corner][slot_of(own, nest.sides[k])] = star[j];
-        stars_[corner][slot_of(own, nest.sides[j])] = star[k];
-        bends_[nest.sides[k]] = {at_[corner] + std::int64_t{nest.steps[j]} * star[j]};
-      }
-      edges.insert(edges.end(), nest.sides.begin(), nest.sides.end());
-      points.insert(points.end(), {nest.corners[1], nest.corners[2]});
-      points[next] = nest.corners[0];
+/// that direction; the side of corners i and j has one bend, at the sum of both steps. Notes the
+/// component of all vertices.
+void Painter::open_triangles(std::vector<Vertex> open) {
+  while (!open.empty()) {
+    const Vertex opened = open.back();
+    open.pop_back();
+    if (opened < graph_.num_vertices()) {
+      component_[opened] = static_cast<std::uint32_t>(shifts_.size());
+      continue;
     }
+    const Nests::Nest& nest = contraction_.nodes[opened];
+    const Point at = at_[opened];
+    const std::array<Vector, 3> star = stars_[opened - graph_.num_vertices()];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      const Vertex corner = nest.corners[i];
+      const auto& own = contraction_.nodes[corner].edges;
+      set_place(corner, at + std::int64_t{nest.steps[i]} * star[i]);
+      set_star(corner, slot_of(own, nest.edges[i]), star[i]);
+      set_star(corner, slot_of(own, nest.sides[k]), star[j]);
+      set_star(corner, slot_of(own, nest.sides[j]), star[k]);
+      set_bends(nest.sides[k], corner, {at_[corner] + std::int64_t{nest.steps[j]} * star[j]});
+    }
+    open.insert(open.end(), nest.corners.begin(), nest.corners.end());
   }
-}
-
-/// Moves what was drawn to where x is free and the other coordinates begin at 0.
-void Painter::stand_beside(const std::vector<Vertex>& points, const std::vector<EdgeId>& edges) {
-  GrowingBox box;
-  for (const Vertex v : points) box.add(at_[v]);
-  for (const EdgeId e : edges) {
-    for (const Point p : bends_[e]) box.add(p);
-  }
-  const Vector shift = Point{next_x_, 0, 0} - box.low(), size = box.high() - box.low();
-  for (const Vertex v : points) at_[v] = at_[v] + shift;
-  for (const EdgeId e : edges) {
-    for (Point& p : bends_[e]) p = p + shift;
-  }
-  next_x_ += size.x + 1;
-  largest_ = std::max({largest_, next_x_, size.y, size.z});
 }
 
 }  // namespace
