@@ -5,17 +5,15 @@
 namespace ar3d {
 
 /// Holds the exit codes of docs/contracts.md.
-enum ExitCode : int {
-  kPass = 0,
-  kInternalError = 1,
-  kUsage = 2,
-  kRegression = 3,
-  kViolated = 4,
-  kIncomplete = 5,
-  kInconclusive = 6,
-  kUnjudged = 7,
-  kInterrupted = 130,
-};
+inline constexpr int kPass = 0;
+inline constexpr int kInternalError = 1;
+inline constexpr int kUsage = 2;
+inline constexpr int kRegression = 3;
+inline constexpr int kViolated = 4;
+inline constexpr int kIncomplete = 5;
+inline constexpr int kInconclusive = 6;
+inline constexpr int kUnjudged = 7;
+inline constexpr int kInterrupted = 130;
 
 /// Adds one verb to the program, as all below do; its callback leaves its verdict in `exit_code`.
 void add_list(CLI::App& app, int& exit_code);

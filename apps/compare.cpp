@@ -63,7 +63,7 @@ int report_verdict(const CompareArguments& arguments, const Comparison& comparis
     if (is_on_stdout) say("{}", text);
     if (!is_on_stdout) write_file_atomically(arguments.markdown, text);
   }
-  if (!is_on_stdout && !output_mode.json) say("{}", summary(comparison, arguments.options));
+  if (!is_on_stdout && !is_json_output) say("{}", summary(comparison, arguments.options));
   if (!arguments.json.empty()) {
     write_json(arguments.json, comparison_json(comparison, arguments.options));
   }
@@ -198,7 +198,7 @@ int say_interrupted(const std::string& where) {
 int compare_builds(const CompareArguments& arguments) {
   if (!arguments.files.empty()) throw InputError("--base takes no results files");
   const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
-  std::FILE* progress = output_mode.quiet ? nullptr : stderr;
+  std::FILE* progress = is_quiet_output ? nullptr : stderr;
   const Study study = study_to_run(arguments.study);
   for (const std::string& output : {arguments.json, arguments.markdown}) {
     if (!output.empty() && output != "-") require_writable(output);
@@ -280,7 +280,7 @@ int compare_in_turns(const CompareArguments& arguments) {
   const Pinning pinning(arguments.core);
   const SessionPolicy policy{.workers = workers_for(0),
                              .force_timing = true,  // its rows are marked
-                             .progress = output_mode.quiet ? nullptr : stderr};
+                             .progress = is_quiet_output ? nullptr : stderr};
   run_journaled(study, policy, *join_ranks());
   if (is_interrupted()) return say_interrupted("while drawing");
   Results results = read_results(study.results);
@@ -353,8 +353,8 @@ void add_compare(CLI::App& app, int& exit_code) {
       "ar3d compare before.h5 after.h5\n         ar3d compare --base main\n"
       "         ar3d compare --turns v1.0 HEAD --build make --study own.toml");
   verb->callback([arguments, &exit_code] {
-    output_mode.json = arguments->json == "-";
-    if (output_mode.json && arguments->markdown == "-") {
+    is_json_output = arguments->json == "-";
+    if (is_json_output && arguments->markdown == "-") {
       throw InputError("--json - and --markdown - : standard output takes one of them");
     }
     refuse_unsafe_outputs({.inputs = arguments->files,

@@ -115,7 +115,7 @@ int add_results(const HistoryArguments& arguments) {
   refuse_copies(arguments.results, arguments.folder, path);
   make_folder(arguments.folder);
   write_file_atomically(path, read_file(arguments.results));
-  if (output_mode.json) print_json({{"added", path}});
+  if (is_json_output) print_json({{"added", path}});
   note(stdout, "added    {}\n", path);
   return kPass;
 }
@@ -123,10 +123,10 @@ int add_results(const HistoryArguments& arguments) {
 int report_history(const HistoryArguments& arguments) {
   const std::string page =
       arguments.output.empty() ? arguments.folder + "/history.html" : arguments.output;
-  output_mode.json = arguments.json == "-";
+  is_json_output = arguments.json == "-";
   std::error_code ignored;
   refuse_unsafe_outputs({.inputs = results_files(arguments.folder, ignored),
-                         .outputs = {output_mode.json ? "" : arguments.json},
+                         .outputs = {is_json_output ? "" : arguments.json},
                          .page = page,
                          .page_is = "<title>ar3d history: ",
                          .force = arguments.force,
@@ -148,7 +148,7 @@ int report_history(const HistoryArguments& arguments) {
   const std::vector<Table> tables = history_tables(history, arguments.folder);
   write_file_atomically(page, render_page("history", arguments.folder, tables));
   if (!arguments.json.empty()) write_json(arguments.json, tables_json(tables));
-  if (!output_mode.json) say("{}", summary(history));
+  if (!is_json_output) say("{}", summary(history));
   note(stdout, "page     {}\n", page);
   for (const HistoryLine& line : history.lines) {
     if (line.is_judged) return kPass;

@@ -94,11 +94,11 @@ void print_list(const std::string& what) {
   const auto show = [&](const char* name, const char* title, const auto& rows, const auto& object,
                         const auto& print) {
     if (what != "all" && what != name) return;
-    if (output_mode.json) all[name] = Object::array();
-    if (what == "all" && !output_mode.json) say("\n== {} ==\n", title);
+    if (is_json_output) all[name] = Object::array();
+    if (what == "all" && !is_json_output) say("\n== {} ==\n", title);
     for (const auto& row : rows) {
-      if (output_mode.json) all[name].push_back(object(row));
-      if (!output_mode.json) print(row);
+      if (is_json_output) all[name].push_back(object(row));
+      if (!is_json_output) print(row);
     }
   };
   const auto name_and_summary = [](const auto& row) {
@@ -131,7 +131,7 @@ void print_list(const std::string& what) {
         row.type == MetricType::int64 ? "int64" : "float64");
   });
   show("studies", "studies", named_studies(), name_and_summary, print_both);
-  if (output_mode.json) print_json(all);
+  if (is_json_output) print_json(all);
 }
 
 /// Prints the specification of a named study, byte for byte.
@@ -144,7 +144,7 @@ void print_study(const std::string& what, const std::string& name) {
     throw InputError(fmt::format("'{}' is none of `ar3d list studies`{}", printable(name),
                                  did_you_mean(name, names_of(named_studies()))));
   }
-  if (output_mode.json) return print_json({{"name", study->name}, {"toml", study->toml}});
+  if (is_json_output) return print_json({{"name", study->name}, {"toml", study->toml}});
   say("{}", study->toml);
 }
 

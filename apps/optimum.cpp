@@ -140,7 +140,7 @@ void prepare_folder(const std::string& folder, bool force) {
   }
 }
 
-std::unique_ptr<optimum::Solver> chosen_solver(const std::string& command) {
+optimum::Solver chosen_solver(const std::string& command) {
   std::istringstream text(command);
   std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
   if (!words.empty()) return optimum::command_solver(std::move(words));
@@ -173,7 +173,7 @@ class OptimumRun {
     }
     if (!arguments_.proofs.empty()) write_file_atomically(arguments_.proofs + "/index.csv", index_);
     if (drawings_) drawings_->commit();
-    if (output_mode.json) print_json({{"graphs", std::move(answers_)}});
+    if (is_json_output) print_json({{"graphs", std::move(answers_)}});
     return exit_code_;
   }
 
@@ -192,7 +192,7 @@ class OptimumRun {
     Stopwatch since_told;
     std::string solving;  // the formula, if it is to be told
     answer.found = find_smallest_box(
-        graph, arguments_.question, *solver_,
+        graph, arguments_.question, solver_,
         {.volume_below = arguments_.volume_below,
          .first = routed_drawing(graph, arguments_.question),
          .proofs = arguments_.proofs,
@@ -224,7 +224,7 @@ class OptimumRun {
          found.formulas.size(), cpu_s);
     (void)std::fflush(stdout);
     if (!found.too_large.empty()) say(stderr, "ar3d: {}: {}\n", answer.where, found.too_large);
-    if (output_mode.json) answers_.push_back(answer_json(answer, arguments_));
+    if (is_json_output) answers_.push_back(answer_json(answer, arguments_));
     append_index_lines(index_, answer, arguments_);
     if (!found.is_closed() && exit_code_ == kPass) exit_code_ = kIncomplete;
     if (!found.drawing) {
@@ -245,7 +245,7 @@ class OptimumRun {
   }
 
   const OptimumArguments& arguments_;
-  std::unique_ptr<optimum::Solver> solver_;
+  optimum::Solver solver_;
   std::optional<OutputFile> drawings_;
   std::string index_ = kIndexHead;
   nlohmann::ordered_json answers_ = nlohmann::ordered_json::array();

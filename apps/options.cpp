@@ -66,7 +66,7 @@ void add_threads_option(CLI::App& verb) {
 }
 
 CLI::Option* add_json(CLI::App& verb) {
-  return verb.add_flag("--json", output_mode.json, "print one JSON object instead of text");
+  return verb.add_flag("--json", is_json_output, "print one JSON object instead of text");
 }
 
 void print_json(const nlohmann::ordered_json& json) {

@@ -33,12 +33,8 @@ CLI::Option* add_repeated(CLI::App& verb, const std::string& name, std::vector<s
 /// several threads.
 void add_threads_option(CLI::App& verb);
 
-/// Holds what -q, which every verb has, and --json ask of the verb that runs.
-struct OutputMode {
-  bool quiet = false;
-  bool json = false;
-};
-inline OutputMode output_mode;
+/// What -q, which every verb has, and --json ask of the verb that runs.
+inline bool is_quiet_output = false, is_json_output = false;
 
 /// Returns the flag --json of verbs with a result: one JSON object instead of text.
 CLI::Option* add_json(CLI::App& verb);
@@ -49,7 +45,7 @@ void print_json(const nlohmann::ordered_json& json);
 /// standard output.
 template <class... Values>
 void note(std::FILE* to, fmt::format_string<Values...> format, Values&&... values) {
-  if (to == stderr ? output_mode.quiet : output_mode.json) return;
+  if (to == stderr ? is_quiet_output : is_json_output) return;
   say(to, format, std::forward<Values>(values)...);
 }
 
@@ -57,7 +53,7 @@ void note(std::FILE* to, fmt::format_string<Values...> format, Values&&... value
 template <class... Values>
 void tell(const nlohmann::ordered_json& json, fmt::format_string<Values...> format,
           Values&&... values) {
-  if (output_mode.json) return print_json(json);
+  if (is_json_output) return print_json(json);
   say(format, std::forward<Values>(values)...);
 }
 

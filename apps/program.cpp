@@ -156,7 +156,7 @@ void add_help(CLI::App& app) {
 void complete_verbs(CLI::App& app) {
   const std::vector<CLI::App*> verbs = app.get_subcommands([](CLI::App*) { return true; });
   if (verbs.empty() && app.get_name() != "help" && app.get_option_no_throw("-q") == nullptr) {
-    app.add_flag("-q,--quiet", ar3d::output_mode.quiet, "no progress or notes on standard error");
+    app.add_flag("-q,--quiet", ar3d::is_quiet_output, "no progress or notes on standard error");
   }
   if (std::ranges::find(kReadResults, app.get_name()) != kReadResults.end()) {
     app.add_flag("--accept-changed", ar3d::accept_changed_results,
@@ -179,7 +179,7 @@ int run(int argc, char** argv) {
   app.footer(kExamples);
   app.option_defaults()->always_capture_default();
   int exit_code = ar3d::kPass;
-  ar3d::output_mode = {};
+  ar3d::is_quiet_output = ar3d::is_json_output = false;
   ar3d::accept_changed_results = false;
   ar3d::register_program_formats();
   using namespace ar3d;

@@ -48,7 +48,7 @@ void refuse_changed_program(StudySpec spec, const RunRecord& row, const Results&
 }
 
 int replay_row(const ReplayArguments& arguments) {
-  if (output_mode.json && arguments.output == "-") {
+  if (is_json_output && arguments.output == "-") {
     throw InputError("--json and -o - : standard output takes one of them");
   }
   const Results results = read_results(arguments.results);
@@ -68,7 +68,7 @@ int replay_row(const ReplayArguments& arguments) {
     write_drawing(format, redrawn(then, origin), which, arguments.output);
   }
   const std::vector<std::string> differing = differing_columns(then, now);
-  if (output_mode.json) {
+  if (is_json_output) {
     print_json({{"row_key", then.row_key},
                 {"status", to_string(now.status)},
                 {"message", now.message},
@@ -81,7 +81,7 @@ int replay_row(const ReplayArguments& arguments) {
     text += fmt::format("column {} differs from the recorded row\n", column);
   if (differing.empty()) text += "every non-timing column is equal, bit for bit\n";
   // Never amid the drawing.
-  if (!output_mode.json) say(arguments.output == "-" ? stderr : stdout, "{}", text);
+  if (!is_json_output) say(arguments.output == "-" ? stderr : stdout, "{}", text);
   if (now.status == RunStatus::violated) return kViolated;
   return differing.empty() ? kPass : kRegression;
 }
@@ -95,7 +95,7 @@ int replay_rows(const ReplayArguments& arguments) {
          source_hash());
   }
   std::size_t done = 0;
-  const bool terminal = isatty(fileno(stderr)) == 1 && !output_mode.quiet;
+  const bool terminal = isatty(fileno(stderr)) == 1 && !is_quiet_output;
   const StudyOrigin origin = study_origin(results);
   std::size_t violated = 0;
   std::map<std::size_t, std::vector<std::string>> irreproducible;  // columns, by row

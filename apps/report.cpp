@@ -24,11 +24,11 @@ struct ReportArguments {
 
 int write_report(const ReportArguments& arguments) {
   const std::string results = results_path_of(arguments.results);
-  output_mode.json = arguments.json == "-";
+  is_json_output = arguments.json == "-";
   const std::string path = arguments.output.empty() ? report_path(results) : arguments.output;
   if (arguments.output.empty()) refuse_foreign_page(path, results);
   refuse_unsafe_outputs({.inputs = {arguments.results, results, arguments.reference},
-                         .outputs = {arguments.csv, output_mode.json ? "" : arguments.json,
+                         .outputs = {arguments.csv, is_json_output ? "" : arguments.json,
                                      arguments.rows, arguments.growth},
                          .page = path,
                          .force = arguments.force,
@@ -54,7 +54,7 @@ int write_report(const ReportArguments& arguments) {
     rows_csv(rows, [&](std::string_view text) { file.append(text); });
     file.commit();
   }
-  if (!output_mode.json) say("{}", verdict_line(analysis.verdict));
+  if (!is_json_output) say("{}", verdict_line(analysis.verdict));
   note(stdout, "report   {}\n", path);
   if (rows.size() == 0) {
     say(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments.results);

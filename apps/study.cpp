@@ -95,7 +95,7 @@ int conclude(const JournaledStudy& study, Rows made, bool force, bool unchanged)
   if (!is_timed) {
     note(stdout, "times    not measured: --timed N does\n");
   }
-  if (!output_mode.json) say("{}", left_out_text(rows.identity()));
+  if (!is_json_output) say("{}", left_out_text(rows.identity()));
   if (study.shard.count > 1) {
     note(stdout, "shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
          study.shard.index, study.shard.count);
@@ -145,16 +145,16 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
   StudyOutcome outcome = run_journaled(study, policy, ranks);
   if (!ranks.is_first()) return kPass;
   study.results = outcome.results;
-  if (!output_mode.quiet) tell_limits_of_files(study, outcome.in_hand->identity());
+  if (!is_quiet_output) tell_limits_of_files(study, outcome.in_hand->identity());
   if (outcome.complete()) {
     return conclude(study, std::move(*outcome.in_hand), arguments.force, was_whole);
   }
   say(stderr, "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
       is_interrupted() ? "interrupted" : "not finished", outcome.rows, study.results,
       outcome.missing, shell_word(study.results));
-  if (is_interrupted() && !output_mode.json) return kInterrupted;
+  if (is_interrupted() && !is_json_output) return kInterrupted;
   const CheckVerdict verdict = judge(*outcome.in_hand, study.results);
-  if (output_mode.json) print_json(verdict_json(verdict, outcome.in_hand->identity()));
+  if (is_json_output) print_json(verdict_json(verdict, outcome.in_hand->identity()));
   return is_interrupted() ? kInterrupted : verdict.exit_code();
 }
 
@@ -183,7 +183,7 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
   SessionPolicy policy = arguments.policy;
   policy.workers = workers_for(arguments.workers, ranks->size());
   policy.ranks = ranks.get();
-  if (!output_mode.quiet && ranks->size() == 1) policy.progress = stderr;
+  if (!is_quiet_output && ranks->size() == 1) policy.progress = stderr;
   std::string remarks;
   const auto begin_possible = [&] {
     JournaledStudy begun = begin();
@@ -338,7 +338,7 @@ int merge(const RunArguments& arguments) {
                          .streams = false});
   refuse_foreign_ending(arguments.output, {".h5", ".hdf5"});
   const StudyOutcome outcome = merge_study(arguments.parts, arguments.output);
-  if (output_mode.json) {
+  if (is_json_output) {
     print_json({{"rows", outcome.rows},
                 {"files", arguments.parts.size()},
                 {"missing", outcome.missing},

@@ -89,7 +89,7 @@ int count(const CountArguments& arguments) {
                         {"counted_instructions", run.counted_instructions},
                         {"estimated_cycles", run.estimated_cycles}});
   }
-  if (output_mode.json) print_json({{"drawings", drawings}});
+  if (is_json_output) print_json({{"drawings", drawings}});
   write_results(results, path);
   return kPass;
 }

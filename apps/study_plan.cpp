@@ -337,8 +337,8 @@ void add_study_plan(CLI::App& study, int&) {
     note(stderr, "ar3d: {} graphs planned; small ones are drawn to estimate time and memory\n",
          plan.instances.size());
     const StudyEstimate made = estimate(plan, workers);
-    if (output_mode.json) print_json(plan_json(asked.spec, plan, made));
-    if (!output_mode.json) print_estimate(asked, plan, made, workers);
+    if (is_json_output) print_json(plan_json(asked.spec, plan, made));
+    if (!is_json_output) print_estimate(asked, plan, made, workers);
     refuse_impossible(plan, made, available_memory());
   });
 }

@@ -139,15 +139,15 @@ int show(const StatusArguments& arguments) {
   }
   JournalStatus standing = arguments.watch ? watch(arguments.file) : standing_of(arguments.file);
   if (standing.writers > 0) {
-    if (output_mode.json) print_json(standing_json(standing));
-    if (!output_mode.json) print_details(standing, arguments.file);
+    if (is_json_output) print_json(standing_json(standing));
+    if (!is_json_output) print_details(standing, arguments.file);
     return kIncomplete;
   }
   const Rows rows = rows_of_study(arguments.file);
   standing.rows = rows.size();
   standing.identity.planned_rows = rows.identity().planned_rows;
   const CheckVerdict verdict = judge(rows, arguments.file);
-  if (!output_mode.json) print_details(standing, arguments.file);
+  if (!is_json_output) print_details(standing, arguments.file);
   nlohmann::ordered_json json = standing_json(standing);
   json["check"] = verdict_json(verdict, rows.identity());
   tell(json, "{}{}", verdict_line(verdict), left_out_text(rows.identity()));

@@ -16,7 +16,7 @@
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/model/real_points.h"
 #include "ar3d/verify/examination.h"
 #include "batches.h"
@@ -38,11 +38,8 @@ struct VerifyArguments {
   std::string certificate = "exact";
 };
 
-struct LineToJudge {
-  DrawingJsonlReader::Line line;
-  std::string where;           // "FILE:LINE"
-  std::optional<Graph> graph;  // of --graphs
-};
+/// With the graph of --graphs.
+using LineToJudge = std::pair<PlacedLine, std::optional<Graph>>;
 
 /// The promise that a drawing is held to. @throws InputError as find_algorithm.
 Guarantee promise_of(const Drawing& drawing, const VerifyArguments& arguments) {
@@ -69,49 +66,52 @@ CrossingTest crossing_test(const std::string& name) {
 }
 
 JudgedLine judge(const LineToJudge& task, const VerifyArguments& arguments) {
-  if (const auto* undrawn = std::get_if<UndrawnGraph>(&task.line)) {
-    return {LineVerdict::not_drawn, fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
+  const auto& [placed, given] = task;
+  if (const auto* undrawn = std::get_if<UndrawnGraph>(&placed.line)) {
+    return {LineVerdict::not_drawn,
+            fmt::format("{}: not drawn: {}\n", placed.where, undrawn->error)};
   }
-  const Drawing& drawing = std::get<Drawing>(task.line);
+  const Drawing& drawing = std::get<Drawing>(placed.line);
   if (arguments.algorithm.empty() && !arguments.promise.bends &&
       known_algorithm(drawing.algorithm()) == nullptr) {
     return {
         LineVerdict::unknown,
         fmt::format("{}: not judged: no algorithm here is called '{}'{} "
                     "(--algorithm judges it by another one's guarantee, --bends by a promise)\n",
-                    task.where, printable(drawing.algorithm()),
+                    placed.where, printable(drawing.algorithm()),
                     did_you_mean(drawing.algorithm(), names_of(algorithms())))};
   }
   try {
     const Guarantee promise = promise_of(drawing, arguments);
     const bool leaves_box_open = arguments.promise.bends && arguments.promise.box.empty();
-    const Graph graph = task.graph ? *task.graph : claimed_graph(drawing);
+    const Graph graph = given ? *given : claimed_graph(drawing);
     const Examination examination =
         examine(graph, drawing, promise, {.certificate = true, .metrics = false, .hash = false},
                 {.crossing_test = crossing_test(arguments.test),
                  .check_size = !leaves_box_open,
                  .mode = parse_certificate_mode(arguments.certificate),
                  .compares = [&](std::uint64_t pairs) {
-                   note(stderr, "ar3d: {}: compares {} pairs of segments\n", task.where, pairs);
+                   note(stderr, "ar3d: {}: compares {} pairs of segments\n", placed.where, pairs);
                  }});
     const Certificate& certificate = examination.certificate;
     if (certificate.given_up && certificate.violations.empty()) {
       return {LineVerdict::unknown,
               fmt::format("{}: not judged: its segments need more than {} comparisons, as they lie "
                           "in one plane or side by side\n",
-                          task.where, kMostComparisons)};
+                          placed.where, kMostComparisons)};
     }
     std::string text;
     for (const Violation& violation : certificate.violations) {
-      text += fmt::format("{}: {}: {}\n", task.where, to_string(violation.kind), violation.message);
+      text +=
+          fmt::format("{}: {}: {}\n", placed.where, to_string(violation.kind), violation.message);
     }
     if (examination.summary.real) {
       const RealAssessment& found = *examination.summary.real;
       text += fmt::format(
           "{}: in {}: angles miss by at most {:.6g} degrees, {} crossings, {} collapsed segments\n",
-          task.where, drawing.real->type, found.largest_miss, found.crossings, found.collapsed);
+          placed.where, drawing.real->type, found.largest_miss, found.crossings, found.collapsed);
     }
-    if (!certificate.complete) text += fmt::format("{}: … and more\n", task.where);
+    if (!certificate.complete) text += fmt::format("{}: … and more\n", placed.where);
     const bool is_unproved = certificate.mode == CertificateMode::none;
     return {certificate.violated() ? LineVerdict::violated
             : certificate.measured ? LineVerdict::measured
@@ -119,7 +119,7 @@ JudgedLine judge(const LineToJudge& task, const VerifyArguments& arguments) {
                                    : LineVerdict::certified,
             text};
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", task.where, error.what()));
+    throw InputError(fmt::format("{}: {}", placed.where, error.what()));
   }
 }
 
@@ -172,7 +172,7 @@ std::optional<LineToJudge> next_task(const VerifyArguments& arguments,
                                          number, files));
   }
   if (!line) return std::nullopt;
-  return LineToJudge{std::move(*line), drawings.reader().where(), std::move(graph)};
+  return LineToJudge{{std::move(*line), drawings.reader().where()}, std::move(graph)};
 }
 
 int verify_drawings(const VerifyArguments& arguments) {
@@ -198,13 +198,13 @@ int verify_drawings(const VerifyArguments& arguments) {
         number += task.has_value();
         return task;
       },
-      [](const LineToJudge& task) { return weight_of(task.line); },
+      [](const LineToJudge& task) { return weight_of(task.first.line); },
       [&](const LineToJudge& task) { return judge(task, arguments); },
       [&](const JudgedLine& line) {
         ++counts[static_cast<std::size_t>(line.first)];
-        if (output_mode.quiet || line.second.empty()) return;
+        if (is_quiet_output || line.second.empty()) return;
         note(stdout, "{}", line.second);
-        if (!output_mode.json) return;
+        if (!is_json_output) return;
         messages.push_back({{"verdict", kVerdictNames[static_cast<std::size_t>(line.first)]},
                             {"text", line.second}});
       });
@@ -236,7 +236,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_option("--certificate", arguments->certificate, "exact, or none: nothing is judged")
       ->excludes(test);
   add_threads_option(*verb);
-  verb->add_flag("-q,--quiet", output_mode.quiet, "only the summary");
+  verb->add_flag("-q,--quiet", is_quiet_output, "only the summary");
   add_json(*verb);
   verb->footer(
       "Exit code 4 if a drawing is violated. Exit code 5 if a graph was not drawn, a drawing's "

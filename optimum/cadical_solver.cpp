@@ -40,39 +40,36 @@ class Stopper final : public CaDiCaL::Terminator {
   double begin_ = thread_cpu_s();
 };
 
-class CadicalSolver final : public Solver {
- public:
-  SolverResult solve(const SolverTask& task) override {
-    CaDiCaL::Solver solver;
-    solver.set("quiet", 1);
-    solver.set("binary", 0);
-    if (!task.proof.empty() && !solver.trace_proof(task.proof.c_str())) {
-      throw InputError(fmt::format("{}: cannot be written", task.proof));
-    }
-    Stopper stopper(task);
-    for (const int literal : task.formula.literals()) solver.add(literal);
-    solver.connect_terminator(&stopper);
-    const int code = solver.solve();
-    if (!task.proof.empty()) solver.close_proof_trace();
-    SolverResult result{.answer = Answer::undecided, .model = {}, .cpu_s = stopper.cpu_s()};
-    if (code == 20) result.answer = Answer::unsatisfiable;
-    if (code != 10) return result;
-    result.answer = Answer::satisfiable;
-    result.model.push_back(false);
-    for (int v = 1; v <= task.formula.num_variables(); ++v) {
-      result.model.push_back(solver.val(v) > 0);
-    }
-    return result;
+SolverResult solve(const SolverTask& task) {
+  CaDiCaL::Solver solver;
+  solver.set("quiet", 1);
+  solver.set("binary", 0);
+  if (!task.proof.empty() && !solver.trace_proof(task.proof.c_str())) {
+    throw InputError(fmt::format("{}: cannot be written", task.proof));
   }
-};
+  Stopper stopper(task);
+  for (const int literal : task.formula.literals()) solver.add(literal);
+  solver.connect_terminator(&stopper);
+  const int code = solver.solve();
+  if (!task.proof.empty()) solver.close_proof_trace();
+  SolverResult result{.answer = Answer::undecided, .model = {}, .cpu_s = stopper.cpu_s()};
+  if (code == 20) result.answer = Answer::unsatisfiable;
+  if (code != 10) return result;
+  result.answer = Answer::satisfiable;
+  result.model.push_back(false);
+  for (int v = 1; v <= task.formula.num_variables(); ++v) {
+    result.model.push_back(solver.val(v) > 0);
+  }
+  return result;
+}
 
 }  // namespace
 
-std::unique_ptr<Solver> cadical_solver() { return std::make_unique<CadicalSolver>(); }
+Solver cadical_solver() { return solve; }
 
 #else
 
-std::unique_ptr<Solver> cadical_solver() { return nullptr; }
+Solver cadical_solver() { return nullptr; }
 
 #endif
 

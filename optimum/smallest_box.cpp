@@ -41,7 +41,8 @@ bool fits(const BoxSize& inner, const BoxSize& outer) {
 
 class Search {
  public:
-  Search(const Graph& graph, const Question& question, Solver& solver, const SearchOptions& options)
+  Search(const Graph& graph, const Question& question, const Solver& solver,
+         const SearchOptions& options)
       : graph_(graph), question_(question), solver_(solver), options_(options) {}
 
   SmallestBox run() {
@@ -129,10 +130,10 @@ class Search {
     record.clauses = formula.num_clauses();
     options_.on_formula(record);
     const std::string file = options_.proofs.empty() ? "" : options_.proofs + "/" + record.name;
-    const SolverResult result = solver_.solve({.formula = formula,
-                                               .proof = file.empty() ? "" : file + ".drat",
-                                               .should_stop = options_.should_stop,
-                                               .cpu_s = limit});
+    const SolverResult result = solver_({.formula = formula,
+                                         .proof = file.empty() ? "" : file + ".drat",
+                                         .should_stop = options_.should_stop,
+                                         .cpu_s = limit});
     record.cpu_s = result.cpu_s;
     record.answer = result.answer;
     if (!file.empty()) keep_proof(formula, file, record);
@@ -195,7 +196,7 @@ class Search {
 
   const Graph& graph_;
   const Question& question_;
-  Solver& solver_;
+  const Solver& solver_;
   const SearchOptions& options_;
   SmallestBox found_;
   std::map<BoxSize, int> tries_;
@@ -221,7 +222,7 @@ std::vector<BoxSize> maximal_boxes(std::int64_t volume_below, Diagonals diagonal
   return boxes;
 }
 
-SmallestBox find_smallest_box(const Graph& graph, const Question& question, Solver& solver,
+SmallestBox find_smallest_box(const Graph& graph, const Question& question, const Solver& solver,
                               const SearchOptions& options) {
   refuse_unanswerable(graph, question);
   return Search(graph, question, solver, options).run();

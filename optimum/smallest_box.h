@@ -52,8 +52,8 @@ std::vector<BoxSize> maximal_boxes(std::int64_t volume_below, Diagonals diagonal
 /// Finds the smallest box (docs/optimum.md): without a first drawing cubes until one holds one,
 /// then the maximal boxes below the best one. A formula that is not decided in some seconds of CPU time comes
 /// again, with four times as many. Exponential.
-/// @throws InputError as refuse_unanswerable and Solver::solve.
-SmallestBox find_smallest_box(const Graph& graph, const Question& question, Solver& solver,
+/// @throws InputError as refuse_unanswerable and Solver.
+SmallestBox find_smallest_box(const Graph& graph, const Question& question, const Solver& solver,
                               const SearchOptions& options = {});
 
 }  // namespace ar3d::optimum

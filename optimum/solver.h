@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,24 +26,17 @@ struct SolverResult {
   double cpu_s = 0;  ///< CPU time taken
 };
 
-/// Represents a program that decides formulas.
-class Solver {
- public:
-  Solver() = default;
-  Solver(const Solver&) = delete;
-  Solver& operator=(const Solver&) = delete;
-  virtual ~Solver() = default;
-  /// @throws InputError if the proof cannot be written or the program does not answer.
-  virtual SolverResult solve(const SolverTask& task) = 0;
-};
+/// Decides a formula. @throws InputError if the proof cannot be written or the program does not
+/// answer.
+using Solver = std::function<SolverResult(const SolverTask& task)>;
 
 /// Returns CaDiCaL (Biere and others, https://github.com/arminbiere/cadical), which writes proofs
-/// as DRAT text. Null if it was not there when this was built.
-std::unique_ptr<Solver> cadical_solver();
+/// as DRAT text. Empty if it was not there when this was built.
+Solver cadical_solver();
 
 /// Returns a program that is called with a DIMACS file and, for a proof, the file for it. It prints
 /// `s SATISFIABLE` and its model behind `v`, or `s UNSATISFIABLE`, as in SAT competitions.
 /// @param words  the program, looked up in PATH, and its first arguments; not empty.
-std::unique_ptr<Solver> command_solver(std::vector<std::string> words);
+Solver command_solver(std::vector<std::string> words);
 
 }  // namespace ar3d::optimum

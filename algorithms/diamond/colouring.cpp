@@ -77,31 +77,32 @@ PaddedNeighbours padded_neighbours(const Graph& graph, std::uint32_t threads) {
 
 BalancedOrientation balanced_orientation(const PaddedNeighbours& neighbours) {
   BalancedOrientation result;
-  result.out.assign(neighbours.size(), 0);
-  result.in.assign(neighbours.size(), 0);
+  auto& [out, in] = result;
+  out.assign(neighbours.size(), 0);
+  in.assign(neighbours.size(), 0);
   const auto partner = [&](Port p) {
     const std::uint32_t other = p.entry ^ 1u;
     return neighbours[p.v][other] == kNone ? kNone : other;
   };
   walk_chains(neighbours, partner, [&](Port from, Port to, unsigned) {
-    result.out[from.v] |= bit(from.entry);
-    result.in[to.v] |= bit(to.entry);
+    out[from.v] |= bit(from.entry);
+    in[to.v] |= bit(to.entry);
   });
   return result;
 }
 
 TwoColouring two_colouring(const Graph& graph, const PaddedNeighbours& neighbours,
                            const BalancedOrientation& orientation) {
+  const auto& [out, in] = orientation;
   const auto partner = [&](Port p) {  // the other entry of the same direction
-    const unsigned out = orientation.out[p.v];
-    const unsigned same = (out & bit(p.entry)) ? out : orientation.in[p.v];
+    const unsigned same = (out[p.v] & bit(p.entry)) ? out[p.v] : in[p.v];
     const unsigned other = same & ~unsigned{bit(p.entry)};
     return other == 0 ? kNone : static_cast<std::uint32_t>(std::countr_zero(other));
   };
   std::vector<std::uint8_t> red(neighbours.size(),
                                 0);  // bit i: the edge to entry i leaves the vertex and is red
   walk_chains(neighbours, partner, [&](Port from, Port to, unsigned i) {
-    const Port tail = (orientation.out[from.v] & bit(from.entry)) ? from : to;
+    const Port tail = (out[from.v] & bit(from.entry)) ? from : to;
     if (i % 2 == kRed) red[tail.v] |= bit(tail.entry);
   });
   TwoColouring result;
@@ -109,8 +110,7 @@ TwoColouring two_colouring(const Graph& graph, const PaddedNeighbours& neighbour
   for (Vertex v = 0; v < neighbours.size(); ++v) {
     const auto row = graph.incident(v);
     for (std::uint32_t entry = 0; entry < row.size(); ++entry) {
-      if (orientation.out[v] & bit(entry))
-        result[red[v] & bit(entry) ? kRed : kGreen][v] = row[entry];
+      if (out[v] & bit(entry)) result[red[v] & bit(entry) ? kRed : kGreen][v] = row[entry];
     }
   }
   return result;

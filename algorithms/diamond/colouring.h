@@ -20,11 +20,8 @@ using PaddedNeighbours = UnwrittenVector<std::array<Vertex, 4>>;
 PaddedNeighbours padded_neighbours(const Graph& graph, std::uint32_t threads = 1);
 
 /// An orientation of the edges with in- and out-degree at most 2 everywhere, by vertex as bits: bit
-/// i of `out` or of `in` is set if the edge to entry i leaves or enters the vertex.
-struct BalancedOrientation {
-  std::vector<std::uint8_t> out;
-  std::vector<std::uint8_t> in;
-};
+/// i of the first or of the second is set if the edge to entry i leaves or enters the vertex.
+using BalancedOrientation = std::array<std::vector<std::uint8_t>, 2>;
 
 /// Pairs the entries (0, 1) and (2, 3) of every vertex; the pairs link the edges to trails, and
 /// every trail is oriented along itself. So a pair is one edge in and one out, and at most one edge

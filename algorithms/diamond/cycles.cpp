@@ -53,14 +53,18 @@ std::uint32_t close_red_cycle(Items& red, std::uint32_t cycle, const PlanePoints
 /// != |dy|. The smallest total works with at most 3: moving only the last vertex, the edge before it
 /// excludes one value, an inner closing at it another, and the closing edge none but 0.
 /// @param inner  closing edges inside R; only those at R's ends matter.
-Bump find_bump(const Items& red, std::uint32_t cycle, const PlanePoints& at,
-               const std::vector<GreenClosing>& inner, const Whereabouts& natural) {
+std::pair<std::uint8_t, std::uint8_t> find_bump(const Items& red, std::uint32_t cycle,
+                                                const PlanePoints& at,
+                                                const std::vector<GreenClosing>& inner,
+                                                const Whereabouts& natural) {
   const auto v = red.of(cycle);
   const std::size_t k = v.size();
-  const auto works = [&](Bump bump) {
+  const auto works = [&](unsigned down, unsigned up) {
     const auto y = [&](Vertex u) {
       const auto p = static_cast<std::int32_t>(natural[u].position - red.begin[cycle]);
-      return u == v.front() ? p - bump.first : u == v.back() ? p + bump.last : p;
+      return u == v.front()  ? p - static_cast<std::int32_t>(down)
+             : u == v.back() ? p + static_cast<std::int32_t>(up)
+                             : p;
     };
     const auto apart = [&](Vertex u, Vertex w) {
       return x_distance(at, u, w) != std::abs(y(u) - y(w));
@@ -69,9 +73,8 @@ Bump find_bump(const Items& red, std::uint32_t cycle, const PlanePoints& at,
            std::ranges::all_of(inner, [&](const GreenClosing& c) { return apart(c.u, c.w); });
   };
   for (unsigned total = 0; total <= 3; ++total) {
-    for (unsigned last = 0; last <= total; ++last) {
-      const Bump bump{static_cast<std::uint8_t>(total - last), static_cast<std::uint8_t>(last)};
-      if (works(bump)) return bump;
+    for (unsigned up = 0; up <= total; ++up) {
+      if (works(total - up, up)) return {total - up, up};
     }
   }
   throw InternalError("internal error: no bump of at most 3 lines works");
@@ -104,10 +107,10 @@ RedCycles settle_red_cycles(Items& red, const std::vector<GreenClosing>& closing
       result.turned[item] = close_red_cycle(red, item, at);
       continue;
     }
-    const Bump bump = find_bump(red, item, at, inside[item], natural_red);
-    result.bumps[item] = bump;
+    const auto [down, up] = result.bumps[item] =
+        find_bump(red, item, at, inside[item], natural_red);
     ++result.rho;
-    result.lines += bump.first + bump.last;
+    result.lines += down + up;
   }
   return result;
 }

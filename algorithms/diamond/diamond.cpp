@@ -33,17 +33,18 @@ struct ModeCandidate {
 /// Extents are below 2^32.
 Volume volume(const ModeCandidate& candidate) { return volume_of(candidate.tracks.extents); }
 
-std::optional<ModeCandidate> parity_candidate(const Graph& graph, std::int64_t mode,
-                                              std::optional<ParityPlacement> placed) {
+std::optional<ModeCandidate> parity_candidate(
+    const Graph& graph, std::int64_t mode,
+    std::optional<std::pair<Placement, std::int64_t>> placed) {
   if (!placed) return std::nullopt;
   ModeCandidate result;
-  result.placement = std::move(placed->placement);
+  result.placement = std::move(placed->first);
   result.tracks = choose_tracks(graph, result.placement);
   if (!fits_theorem_box(result.tracks.extents, graph.num_vertices())) return std::nullopt;
   result.counters = {{"mode", mode},
                      {"m_green", count_cycles(result.placement.green)},
                      {"m_red", count_cycles(result.placement.red)},
-                     {"hits", placed->hits}};
+                     {"hits", placed->second}};
   return result;
 }
 

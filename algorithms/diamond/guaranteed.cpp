@@ -60,11 +60,11 @@ class RedStack {
   /// The sum of the offsets.
   std::int64_t stack(const std::vector<GreenClosing>& closings, const std::vector<bool>& bad,
                      const PlanePoints& at) {
-    file(closings, at);
+    file(closings);
     std::int64_t offsets = 0;
     std::int32_t top = 0;
     for (std::uint32_t item = 0; item < red_.count(); ++item) {
-      const std::int32_t g = offset(item, bad[item], top);
+      const std::int32_t g = offset(item, bad[item], top, at);
       offsets += g;
       base_[item] = top + g;
       top = y(item, red_.size(item) - 1) + 1;
@@ -75,22 +75,14 @@ class RedStack {
   /// y of an index of an item in the stack.
   std::int32_t y(std::uint32_t item, std::uint32_t index) const {
     const auto [natural, reversed] = order_[item];
-    const Bump bump = cycles_.bumps[natural];
+    const auto [down, up] = cycles_.bumps[natural];
     std::int32_t y = base_[item] + static_cast<std::int32_t>(index);
     if (index == 0) return y;
-    y += reversed ? bump.last : bump.first;
-    return index + 1 == red_.size(item) ? y + (reversed ? bump.first : bump.last) : y;
+    y += reversed ? up : down;
+    return index + 1 == red_.size(item) ? y + (reversed ? down : up) : y;
   }
 
  private:
-  /// A green closing edge from an index of an item to an earlier item.
-  struct StackedClosing {
-    std::uint32_t index;
-    std::uint32_t other_item;
-    std::uint32_t other_index;
-    std::int32_t x_distance;
-  };
-
   /// Item in the stack, and index there.
   std::pair<std::uint32_t, std::uint32_t> where(Vertex v) const {
     const auto [position, natural] = natural_[v];
@@ -101,24 +93,22 @@ class RedStack {
     return {item, order_[item].reversed ? size - 1 - index : index};
   }
 
-  void file(const std::vector<GreenClosing>& closings, const PlanePoints& at) {
+  void file(const std::vector<GreenClosing>& closings) {
     late_.resize(red_.count());
     for (const auto& [u, w, contained_in] : closings) {
       if (contained_in != kNone) continue;
-      auto late = where(u);
-      auto early = where(w);
-      if (late < early) std::swap(late, early);
-      late_[late.first].push_back({late.second, early.first, early.second, x_distance(at, u, w)});
+      const bool is_later = where(w) < where(u);
+      late_[where(is_later ? u : w).first].push_back(is_later ? Edge{u, w} : Edge{w, u});
     }
   }
 
-  std::int32_t offset(std::uint32_t item, bool bad, std::int32_t top) {
+  std::int32_t offset(std::uint32_t item, bool bad, std::int32_t top, const PlanePoints& at) {
     forbidden_.clear();
     if (bad) forbidden_.push_back(0);
-    for (const StackedClosing& closing : late_[item]) {
-      const std::int32_t without = y(item, closing.index);  // base_ is 0 so far
-      forbidden_.push_back(y(closing.other_item, closing.other_index) + closing.x_distance - top -
-                           without);
+    for (const auto [u, w] : late_[item]) {
+      const std::int32_t without = y(item, where(u).second);  // base_ is 0 so far
+      const auto [other_item, index] = where(w);
+      forbidden_.push_back(y(other_item, index) + x_distance(at, u, w) - top - without);
     }
     if (forbidden_.empty()) return 0;
     std::vector<bool> is_forbidden(forbidden_.size() + 1,
@@ -137,9 +127,9 @@ class RedStack {
   const std::vector<std::uint32_t>& begin_;
   const RedCycles& cycles_;
   const Whereabouts& natural_;
-  std::vector<std::uint32_t> number_;              ///< in the stack, by natural item
-  std::vector<std::int32_t> base_;                 ///< y of the items' first vertices
-  std::vector<std::vector<StackedClosing>> late_;  ///< by item
+  std::vector<std::uint32_t> number_;    ///< in the stack, by natural item
+  std::vector<std::int32_t> base_;       ///< y of the items' first vertices
+  std::vector<std::vector<Edge>> late_;  ///< by item the green closing edges to earlier items
   std::vector<std::int32_t> forbidden_;
 };
 

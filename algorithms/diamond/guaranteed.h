@@ -30,15 +30,10 @@ struct GreenClosing {
 /// for the natural ranks rp in R. One entry a green cycle. Cost: O(n).
 std::vector<GreenClosing> close_green_cycles(Items& green, const Whereabouts& natural_red);
 
-/// The first vertex of a red cycle is moved down by `first` lines and the last one up by `last`
-/// lines.
-struct Bump {
-  std::uint8_t first = 0;
-  std::uint8_t last = 0;
-};
-
 struct RedCycles {
-  std::vector<Bump> bumps;            ///< by natural red item
+  /// By natural red item: by how many lines the first vertex of a red cycle is moved down, and the
+  /// last one up.
+  std::vector<std::pair<std::uint8_t, std::uint8_t>> bumps;
   std::vector<std::uint32_t> turned;  ///< likewise: by how many vertices its first one moved on
   std::int64_t contained = 0;         ///< green cycles inside one red item
   std::int64_t rho = 0;               ///< red cycles that contain a green cycle

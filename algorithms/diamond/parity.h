@@ -5,29 +5,28 @@
 // proved box of their own.
 
 #include <optional>
+#include <utility>
 
 #include "ar3d/algorithms/diamond/placement.h"
 
 namespace ar3d::diamond {
 
-struct ParityPlacement {
-  Placement placement;
-  std::int64_t hits = 0;  ///< lines skipped because an apex would have fallen on a turn
-};
-
-// All return nothing if the Y range passes 16n/3, which would put the drawing's x- or y-extent
+// All return a placement and its hits, lines skipped because an apex would have fallen on a turn;
+// nothing if the Y range passes 16n/3, which would put the drawing's x- or y-extent
 // beyond it. Cost: O(n). The parity class of v is p(v) = X(v) mod 2 = Y(v) mod 2.
 
 /// Places with the classes 0 1 0 1 along the green order: X takes neighbouring lines, so its range
 /// is n - 1.
-std::optional<ParityPlacement> place_alternating(const Graph& graph, Items green, Items red);
+std::optional<std::pair<Placement, std::int64_t>> place_alternating(const Graph& graph, Items green,
+                                                                    Items red);
 
 /// Places with 0 0 1 1: no two vertices two apart have |dX| = 2; good with many triangles.
-std::optional<ParityPlacement> place_in_pairs(const Graph& graph, Items green, Items red);
+std::optional<std::pair<Placement, std::int64_t>> place_in_pairs(const Graph& graph, Items green,
+                                                                 Items red);
 
 /// @param parity  p(v) by vertex, 0 or 1.
-std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, Items red,
-                                               const std::vector<std::uint8_t>& parity);
+std::optional<std::pair<Placement, std::int64_t>> place_by_parity(
+    const Graph& graph, Items green, Items red, const std::vector<std::uint8_t>& parity);
 
 /// Parities by vertex with few equal neighbours in the green and in the red order: every equal pair
 /// costs a line, so this is a maximum cut of a graph of degree 4. Starts from alternating parity

@@ -3,6 +3,8 @@
 // forbidden for a vertex, so the walk never fails; (C1) and (C2) are kept by rules filed under the
 // later vertex. O(n). Idea: not in the paper; without a proved box of its own.
 
+#include <tuple>
+
 #include "ar3d/algorithms/diamond/parity.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"
@@ -23,30 +25,25 @@ class ForbiddenDifferences {
   explicit ForbiddenDifferences(PlanePoints& at) : at_(at) {}
   void add(Vertex u, Vertex v, std::int32_t difference) {
     for (const auto& [vertex, other] : {std::pair{u, v}, std::pair{v, u}}) {
-      rules_.push_back({other, difference, at_[vertex].Y});
+      rules_.emplace_back(other, difference, at_[vertex].Y);
       at_[vertex].Y = kNotYet - static_cast<std::int32_t>(rules_.size());
     }
   }
   /// @param list  Y of the vertex before it got one.
   bool forbid(std::int32_t list, std::int32_t y) const {
-    for (; list != kNotYet; list = rule(list).next) {
-      const std::int32_t other = at_[rule(list).other].Y;
-      if (other >= 0 && y - other == rule(list).difference) return true;
+    while (list != kNotYet) {
+      const auto& [vertex, difference, next] = rules_[static_cast<std::size_t>(kNotYet - list) - 1];
+      const std::int32_t other = at_[vertex].Y;
+      if (other >= 0 && y - other == difference) return true;
+      list = next;
     }
     return false;
   }
 
  private:
-  struct DifferenceRule {
-    Vertex other;
-    std::int32_t difference;
-    std::int32_t next;
-  };
-  const DifferenceRule& rule(std::int32_t list) const {
-    return rules_[static_cast<std::size_t>(kNotYet - list) - 1];
-  }
   PlanePoints& at_;
-  std::vector<DifferenceRule> rules_;
+  /// The other vertex, the difference and the vertex's list without this rule.
+  std::vector<std::tuple<Vertex, std::int32_t, std::int32_t>> rules_;
 };
 
 class ParityPlacer {
@@ -163,21 +160,21 @@ class ParityPlacer {
   std::int64_t hits_ = 0;
 };
 
-std::optional<ParityPlacement> finish(const Graph& graph, ParityPlacement result) {
-  ParityPlacer placer(graph, result.placement);
+std::optional<std::pair<Placement, std::int64_t>> finish(const Graph& graph, Placement placement) {
+  ParityPlacer placer(graph, placement);
   if (!placer.place_y()) return std::nullopt;
-  result.hits = placer.hits();
-  expect_heavy([&] { return keeps_invariants(graph, result.placement); },
+  expect_heavy([&] { return keeps_invariants(graph, placement); },
                "the compact placement is right");
-  return result;
+  return std::pair{std::move(placement), placer.hits()};
 }
 
 /// @param x_of  X by rank in the green order.
 template <class XOf>
-std::optional<ParityPlacement> place_by_rank(const Graph& graph, Items green, Items red, XOf x_of) {
-  ParityPlacement result{{std::move(green), std::move(red), {}}, 0};
-  const auto& order = result.placement.green.vertex;
-  PlanePoints& at = result.placement.at;
+std::optional<std::pair<Placement, std::int64_t>> place_by_rank(const Graph& graph, Items green,
+                                                                Items red, XOf x_of) {
+  Placement placement{std::move(green), std::move(red), {}};
+  const auto& order = placement.green.vertex;
+  PlanePoints& at = placement.at;
   at.resize(order.size());
   const auto threads = threads_for(order.size());
   for_ranges_in_threads(
@@ -186,31 +183,33 @@ std::optional<ParityPlacement> place_by_rank(const Graph& graph, Items green, It
           point = {x_of(static_cast<std::int32_t>(i)), kNotYet};
         });
       });
-  return finish(graph, std::move(result));
+  return finish(graph, std::move(placement));
 }
 
 }  // namespace
 
-std::optional<ParityPlacement> place_alternating(const Graph& graph, Items green, Items red) {
+std::optional<std::pair<Placement, std::int64_t>> place_alternating(const Graph& graph, Items green,
+                                                                    Items red) {
   return place_by_rank(graph, std::move(green), std::move(red),
                        [](std::int32_t rank) { return rank; });
 }
 
-std::optional<ParityPlacement> place_in_pairs(const Graph& graph, Items green, Items red) {
+std::optional<std::pair<Placement, std::int64_t>> place_in_pairs(const Graph& graph, Items green,
+                                                                 Items red) {
   return place_by_rank(graph, std::move(green), std::move(red),
                        [](std::int32_t rank) { return rank / 2 * 3 + rank % 2 * 2; });
 }
 
-std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, Items red,
-                                               const std::vector<std::uint8_t>& parity) {
-  ParityPlacement result{{std::move(green), std::move(red), {}}, 0};
-  result.placement.at.resize(parity.size());
+std::optional<std::pair<Placement, std::int64_t>> place_by_parity(
+    const Graph& graph, Items green, Items red, const std::vector<std::uint8_t>& parity) {
+  Placement placement{std::move(green), std::move(red), {}};
+  placement.at.resize(parity.size());
   std::int32_t x = -1;
-  for (const Vertex v : result.placement.green.vertex) {
+  for (const Vertex v : placement.green.vertex) {
     x += (parity[v] - x) % 2 == 0 ? 2 : 1;
-    result.placement.at[v] = {x, kNotYet};
+    placement.at[v] = {x, kNotYet};
   }
-  return finish(graph, std::move(result));
+  return finish(graph, std::move(placement));
 }
 
 }  // namespace ar3d::diamond

@@ -23,16 +23,11 @@ struct GrowthStage {
   std::vector<Vertex> closure;  ///< those that wait (Repair G.12), then first in, first out
 };
 
-/// The stages of a connected component; all its vertices are in them.
-struct ComponentGrowth {
-  std::vector<Vertex> vertices;  ///< ascending
-  std::vector<GrowthStage> stages;
-};
-
-/// Steps G.1 and G.2: components in the order of their least vertices. Cost: that of the cycles,
-/// and O(n log n). @param any_cycle  of the options.
-std::vector<ComponentGrowth> grow(const Graph& graph, bool any_cycle,
-                                  const RepairSwitches& repairs);
+/// Steps G.1 and G.2: the vertices, ascending, of every connected component, and the stages that
+/// they are in; components in the order of their least vertices. Cost: that of the cycles, and
+/// O(n log n). @param any_cycle  of the options.
+std::vector<std::pair<std::vector<Vertex>, std::vector<GrowthStage>>> grow(
+    const Graph& graph, bool any_cycle, const RepairSwitches& repairs);
 
 /// A point of a layer. h = 2y + x is twice the distance to the right in the true picture: e_Y is
 /// (2, 0), e_X is (1, 1), e_X - e_Y is (-1, 1).

@@ -13,6 +13,8 @@
 namespace ar3d::grid_paper {
 namespace {
 
+constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+
 /// A piece of a polyline in the layer: a.x < b.x, or a.x = b.x and a.h < b.h.
 struct LayerPiece {
   LayerPoint a, b;
@@ -22,33 +24,29 @@ LayerPiece piece(LayerPoint a, LayerPoint b) {
   return a.x < b.x || (a.x == b.x && a.h < b.h) ? LayerPiece{a, b} : LayerPiece{b, a};
 }
 
-/// Closed; empty if low > high.
-struct ShiftInterval {
-  std::int64_t low = std::numeric_limits<std::int64_t>::max();
-  std::int64_t high = std::numeric_limits<std::int64_t>::min();
-};
-
-/// The values of h that a piece has at x.
-ShiftInterval range_at(const LayerPiece& p, std::int64_t x) {
+/// The least and the largest h that a piece has at x.
+std::pair<std::int64_t, std::int64_t> range_at(const LayerPiece& p, std::int64_t x) {
   if (p.a.x == p.b.x) return {p.a.h, p.b.h};
   const std::int64_t h = p.a.h < p.b.h ? p.a.h + (x - p.a.x) : p.a.h - (x - p.a.x);
   return {h, h};
 }
 
-/// The moves of a piece along h with which it touches a fixed one: differences of linear functions
-/// of x, so the ends of the common range of x decide.
-ShiftInterval touching_shifts(const LayerPiece& moving, const LayerPiece& fixed) {
+/// The least and the largest move of a piece along h with which it touches a fixed one, the least
+/// above the largest if there is none: differences of linear functions of x, so the ends of the
+/// common range of x decide.
+std::pair<std::int64_t, std::int64_t> touching_shifts(const LayerPiece& moving,
+                                                      const LayerPiece& fixed) {
   const std::int64_t from = std::max(moving.a.x, fixed.a.x);
   const std::int64_t to = std::min(moving.b.x, fixed.b.x);
-  ShiftInterval shifts;
-  if (from > to) return shifts;
+  std::int64_t least = kMost, largest = -kMost;
+  if (from > to) return {least, largest};
   for (const std::int64_t x : {from, to}) {
-    const ShiftInterval f = range_at(fixed, x);
-    const ShiftInterval m = range_at(moving, x);
-    shifts.low = std::min(shifts.low, f.low - m.high);
-    shifts.high = std::max(shifts.high, f.high - m.low);
+    const auto [fixed_low, fixed_high] = range_at(fixed, x);
+    const auto [low, high] = range_at(moving, x);
+    least = std::min(least, fixed_low - high);
+    largest = std::max(largest, fixed_high - low);
   }
-  return shifts;
+  return {least, largest};
 }
 
 class FlatCycleDrawer {
@@ -148,34 +146,34 @@ class FlatCycleDrawer {
   std::int64_t shift_of(const std::vector<LayerPiece>& fresh, std::size_t i) const {
     const std::int64_t full = 2 * (full_run_ - least_run_);
     if (spread_ == Spread::columns) return full;
-    std::vector<ShiftInterval> touching;
+    std::vector<std::pair<std::int64_t, std::int64_t>> touching;
     if (all_spread_) touching = touching_placed(fresh);
     if (i + 1 == size_) {  // the closing run has a length
       const std::int64_t run = std::min(fresh.back().a.h, fresh.back().b.h) - cycle_.at[0].h;
-      touching.push_back({std::numeric_limits<std::int64_t>::min(), 1 - run});
+      touching.emplace_back(-kMost, 1 - run);
     }
-    std::sort(touching.begin(), touching.end(),
-              [](const auto& a, const auto& b) { return a.low < b.low; });
+    std::ranges::sort(touching);
     std::int64_t shift = 0;
-    for (const ShiftInterval& t : touching) {
-      if (t.low <= shift && shift <= t.high) shift = t.high + 1 + (t.high + 1) % 2;
+    for (const auto& [low, high] : touching) {
+      if (low <= shift && shift <= high) shift = high + 1 + (high + 1) % 2;
     }
     return spread_ == Spread::least || shift == 0 ? shift : full;
   }
 
   /// The shifts >= 0 for which a fresh piece touches a piece that is placed. No piece of a vertex
   /// lies further right than its leg.
-  std::vector<ShiftInterval> touching_placed(const std::vector<LayerPiece>& fresh) const {
+  std::vector<std::pair<std::int64_t, std::int64_t>> touching_placed(
+      const std::vector<LayerPiece>& fresh) const {
     std::int64_t left = fresh[0].a.h;
     for (const LayerPiece& p : fresh) left = std::min({left, p.a.h, p.b.h});
-    std::vector<ShiftInterval> touching;
+    std::vector<std::pair<std::int64_t, std::int64_t>> touching;
     std::size_t j = cycle_.at.size();
     for (; j > 0 && cycle_.at[j - 1].h + 2 >= left; --j) {
       const std::size_t end = j == cycle_.at.size() ? pieces_.size() : first_piece_[j];
       for (std::size_t k = first_piece_[j - 1]; k < end; ++k) {
         for (const LayerPiece& p : fresh) {
-          const ShiftInterval t = touching_shifts(p, pieces_[k]);
-          if (t.low <= t.high && t.high >= 0) touching.push_back(t);
+          const auto [low, high] = touching_shifts(p, pieces_[k]);
+          if (low <= high && high >= 0) touching.emplace_back(low, high);
         }
       }
     }

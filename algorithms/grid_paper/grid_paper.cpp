@@ -23,13 +23,13 @@ Drawing draw(const Graph& graph, const Options& options, const RepairSwitches& r
   refuse_larger_degrees("grid-paper", graph, 3);
   refuse_more_vertices("grid-paper", graph, kMostVertices);
   DrawingBuilder builder(graph, options, repairs);
-  for (const ComponentGrowth& component : grow(graph, options.any_cycle, repairs)) {
+  for (const auto& [vertices, stages] : grow(graph, options.any_cycle, repairs)) {
     builder.begin_component();
-    for (const GrowthStage& stage : component.stages) {
+    for (const GrowthStage& stage : stages) {
       if (!stage.cycle.empty()) builder.add_cycle(stage);
       for (const Vertex u : stage.closure) builder.add_vertex(u);
     }
-    builder.end_component(component.vertices);
+    builder.end_component(vertices);
   }
   Drawing drawing = builder.finish();
   if (graph.num_vertices() > 0) {

@@ -29,13 +29,14 @@ class ClosureGrower {
     if (repairs.random_cycles) random_.emplace(*repairs.random_cycles);
   }
 
-  void grow(ComponentGrowth& component) {
-    std::size_t left = component.vertices.size();
+  std::vector<GrowthStage> grow(const std::vector<Vertex>& component) {
+    std::vector<GrowthStage> stages;
+    std::size_t left = component.size();
     const auto keep = [&](GrowthStage stage) {
       left -= stage.cycle.size() + stage.between.size() + stage.closure.size();
-      component.stages.push_back(std::move(stage));
+      stages.push_back(std::move(stage));
     };
-    for (const Vertex v : component.vertices) {
+    for (const Vertex v : component) {
       if (degree_[v] <= 1) queue_.push_back(v);
     }
     GrowthStage trees;
@@ -43,13 +44,14 @@ class ClosureGrower {
     keep(std::move(trees));
     first_ = 0;
     candidates_ = {};
-    for (const Vertex v : component.vertices) {
+    for (const Vertex v : component) {
       if (!gone_[v] && degree_[v] == 3) candidates_.push({3, v});
     }
     while (left > 0) {
-      keep(next_stage(any_cycle_ || random_ ? cycle_by_walk(component.vertices)
-                                            : shortest_cycle(component.vertices)));
+      keep(
+          next_stage(any_cycle_ || random_ ? cycle_by_walk(component) : shortest_cycle(component)));
     }
+    return stages;
   }
 
  private:
@@ -162,15 +164,15 @@ class ClosureGrower {
 
 }  // namespace
 
-std::vector<ComponentGrowth> grow(const Graph& graph, bool any_cycle,
-                                  const RepairSwitches& repairs) {
+std::vector<std::pair<std::vector<Vertex>, std::vector<GrowthStage>>> grow(
+    const Graph& graph, bool any_cycle, const RepairSwitches& repairs) {
   const Components found = connected_components_of(graph);
-  std::vector<ComponentGrowth> components(found.count);
+  std::vector<std::pair<std::vector<Vertex>, std::vector<GrowthStage>>> components(found.count);
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    components[found.of[v]].vertices.push_back(v);
+    components[found.of[v]].first.push_back(v);
   }
   ClosureGrower grower(graph, any_cycle, repairs);
-  for (ComponentGrowth& component : components) grower.grow(component);
+  for (auto& [vertices, stages] : components) stages = grower.grow(vertices);
   return components;
 }
 

@@ -19,14 +19,8 @@ namespace {
 constexpr std::uint32_t kMostVertices = 1u << 24;
 constexpr std::uint64_t kFewTries = 1000000, kTriesEach = 100;
 
-/// A component with its vertices' numbers in the whole graph.
-struct Part {
-  Graph graph;
-  std::vector<Vertex> vertices;
-};
-
-/// The components, the largest first.
-std::vector<Part> parts_of(const Graph& graph) {
+/// The components, the largest first, with their vertices' numbers in the whole graph.
+std::vector<std::pair<Graph, std::vector<Vertex>>> parts_of(const Graph& graph) {
   const Components components = connected_components_of(graph);
   std::vector<std::vector<Vertex>> vertices(components.count);
   std::vector<Vertex> number(graph.num_vertices());
@@ -39,30 +33,30 @@ std::vector<Part> parts_of(const Graph& graph) {
   for (const auto [u, v] : graph.edges()) {
     edges[components.of[u]].push_back({number[u], number[v]});
   }
-  std::vector<Part> parts;
+  std::vector<std::pair<Graph, std::vector<Vertex>>> parts;
   for (std::uint32_t c = 0; c < components.count; ++c) {
-    parts.push_back({Graph(vertices[c].size(), std::move(edges[c])), std::move(vertices[c])});
+    parts.emplace_back(Graph(vertices[c].size(), std::move(edges[c])), std::move(vertices[c]));
   }
-  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
-    return a.vertices.size() > b.vertices.size();
-  });
+  std::ranges::stable_sort(parts, std::greater<>(),
+                           [](const auto& part) { return part.second.size(); });
   return parts;
 }
 
-std::vector<Point> points_of(const Part& part, const SpaceNet& net) {
+std::vector<Point> points_of(const Graph& part, const std::vector<Vertex>& vertices,
+                             const SpaceNet& net) {
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("no piece of the {}: the component of vertex {} ({} vertices) {}",
-                                 net.name(), part.vertices[0], part.vertices.size(), why));
+                                 net.name(), vertices[0], vertices.size(), why));
   };
   // Both nets are bipartite.
-  if (!boost::is_bipartite(part.graph)) refuse("has an odd cycle");
-  const std::uint64_t most = kFewTries + kTriesEach * part.vertices.size();
-  Embedding embedding = embed(part.graph, net, most);
+  if (!boost::is_bipartite(part)) refuse("has an odd cycle");
+  const std::uint64_t most = kFewTries + kTriesEach * vertices.size();
+  Embedding embedding = embed(part, net, most);
   if (embedding.is_given_up) {
     throw InputError(fmt::format(
         "no place found in the {} for the component of vertex {} ({} vertices) in {} tries; "
         "whether it is a piece is not decided",
-        net.name(), part.vertices[0], part.vertices.size(), most));
+        net.name(), vertices[0], vertices.size(), most));
   }
   if (embedding.points.empty()) {
     refuse(fmt::format("is no subgraph of it: all {} tries failed", embedding.tries));
@@ -143,11 +137,11 @@ Drawing draw(const Graph& graph, const SpaceNet& net) {
   refuse_more_vertices(net.algorithm(), graph, kMostVertices);
   Coordinates vertices(graph.num_vertices(), 4 * std::int64_t{graph.num_vertices()});
   Packing packing(net);
-  for (const Part& part : parts_of(graph)) {
-    const std::vector<Point> points = points_of(part, net);
+  for (const auto& [part, numbers] : parts_of(graph)) {
+    const std::vector<Point> points = points_of(part, numbers, net);
     const Vector moved = packing.add(points);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      vertices.set(part.vertices[i], points[i] + moved);
+      vertices.set(numbers[i], points[i] + moved);
     }
   }
   auto bends = std::make_shared<StoredBends>();

@@ -30,9 +30,14 @@ constexpr std::uint64_t kMostPlaced = 50000;  // vertices, by other starts
 
 class BoxSearch {
  public:
-  BoxSearch(const Graph& graph, const PointClass& points, int bends, const BoxOptions& options,
-            BoxCounts& counts)
-      : graph_(graph), points_(points), bends_(bends), options_(options), counts_(counts) {}
+  BoxSearch(const Graph& graph, const PointClass& points, int bends, int effort,
+            std::int64_t most_bytes, BoxCounts& counts)
+      : graph_(graph),
+        points_(points),
+        bends_(bends),
+        effort_(effort),
+        most_bytes_(most_bytes),
+        counts_(counts) {}
 
   std::optional<Routing> run() {
     const std::uint64_t edges = graph_.num_edges();
@@ -41,8 +46,8 @@ class BoxSearch {
     const std::uint64_t usual = std::min(150 * edges + 2500, most);  // of effort 1
     const std::uint64_t most_times = is_small() ? 20 : 10;
     most_searches_ = 2 * usual;
-    if (find_first() && options_.effort > 0) {
-      most_searches_ = counts_.searches + (options_.effort == 2 ? most_times * usual : usual);
+    if (find_first() && effort_ > 0) {
+      most_searches_ = counts_.searches + (effort_ == 2 ? most_times * usual : usual);
       scale_down();
       cut_off_layers();
       try_other_starts();
@@ -61,7 +66,7 @@ class BoxSearch {
   /// Negotiates in a box; the routing is the best one if it is a drawing.
   bool try_box(Routing given, int patience) {
     const std::int64_t bytes = CostBox::bytes(points_, given.layout.limits);
-    if (bytes > options_.most_bytes || !may_go_on()) return false;
+    if (bytes > most_bytes_ || !may_go_on()) return false;
     counts_.bytes = std::max(counts_.bytes, bytes);
     ++counts_.boxes;
     Negotiation negotiation(graph_, points_, bends_, std::move(given),
@@ -212,7 +217,8 @@ class BoxSearch {
   const Graph& graph_;
   const PointClass& points_;
   int bends_;
-  BoxOptions options_;
+  int effort_;
+  std::int64_t most_bytes_;
   BoxCounts& counts_;
   std::uint64_t most_searches_ = 0;
   std::uint64_t searches_of_box_ = 0;  // of the last one
@@ -237,8 +243,8 @@ Limits first_box(const PointClass& points, int bends, std::uint64_t n) {
 }
 
 std::optional<Routing> smallest_routing(const Graph& graph, const PointClass& points, int bends,
-                                        const BoxOptions& options, BoxCounts& counts) {
-  return BoxSearch(graph, points, bends, options, counts).run();
+                                        int effort, std::int64_t most_bytes, BoxCounts& counts) {
+  return BoxSearch(graph, points, bends, effort, most_bytes, counts).run();
 }
 
 }  // namespace ar3d::routed

@@ -6,13 +6,7 @@
 
 namespace ar3d::routed {
 
-/// Says what a search for a small box may do.
-struct BoxOptions {
-  int effort = 1;               ///< 0: one legal box; else smaller ones for a count of searches
-  std::int64_t most_bytes = 0;  ///< no larger box is tried
-};
-
-/// Says what it has done.
+/// Says what a search for a small box has done.
 struct BoxCounts {
   std::int64_t boxes = 0;      ///< tried
   std::int64_t legal = 0;      ///< of them, those with a drawing
@@ -25,8 +19,10 @@ struct BoxCounts {
 Limits first_box(const PointClass& points, int bends, std::uint64_t n);
 
 /// Routes a graph with vertices in boxes that get smaller.
+/// @param effort      0: one legal box; else smaller ones for a count of searches.
+/// @param most_bytes  no larger box is tried.
 /// @return the smallest drawing found, checked by is_drawing(); none if no box was legal.
 std::optional<Routing> smallest_routing(const Graph& graph, const PointClass& points, int bends,
-                                        const BoxOptions& options, BoxCounts& counts);
+                                        int effort, std::int64_t most_bytes, BoxCounts& counts);
 
 }  // namespace ar3d::routed

@@ -97,9 +97,8 @@ bool keep_routing(const Algorithm& row, const Graph& graph, const PointClass& po
   if (graph.num_vertices() == 0 || graph.num_vertices() > kMostRouted) return false;
   const Limits first = first_box(points, options.bends, graph.num_vertices());
   refuse_too_large(row, options, first, CostBox::bytes(points, first));
-  const auto routing = smallest_routing(
-      graph, points, options.bends,
-      {.effort = options.effort, .most_bytes = std::int64_t{options.megabytes} * 1000000}, counts);
+  const auto routing = smallest_routing(graph, points, options.bends, options.effort,
+                                        std::int64_t{options.megabytes} * 1000000, counts);
   if (!routing) return false;
   const Spot sides = routing->layout.limits.sides();
   const std::array<std::int64_t, 3> extents = {sides.x - 1, sides.y - 1, sides.z - 1};

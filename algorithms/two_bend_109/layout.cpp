@@ -152,11 +152,11 @@ class LayoutMaker {
   void raise_body(const VertexPart& part) {
     const SmallBody& body = *part.body;
     Int128 low_x = kLargest, high_x = -kLargest;
-    for (const SmallBody::BodyLeg& leg : body.legs) {
-      const HalfEdge* half = edge_of(part, part.vertices[leg.v]);
+    for (const auto& [v, end] : body.legs) {
+      const HalfEdge* half = edge_of(part, part.vertices[v]);
       if (half == nullptr) continue;
-      low_x = std::min<Int128>(low_x, made_.position[half->to].x - leg.end.x);
-      high_x = std::max<Int128>(high_x, made_.position[half->to].x - leg.end.x);
+      low_x = std::min<Int128>(low_x, made_.position[half->to].x - end.x);
+      high_x = std::max<Int128>(high_x, made_.position[half->to].x - end.x);
     }
     const Int128 x = low_x > high_x ? Int128{0} : (low_x + high_x) / 2;
     const Vertex first = part.vertices[0];
@@ -167,12 +167,12 @@ class LayoutMaker {
     for (const SmallBody::BodyLink& link : body.links) {
       height = std::max({height, link.bend_at_u.z, link.bend_at_v.z});
     }
-    for (const SmallBody::BodyLeg& leg : body.legs) {
-      const HalfEdge* half = edge_of(part, part.vertices[leg.v]);
+    for (const auto& [v, end] : body.legs) {
+      const HalfEdge* half = edge_of(part, part.vertices[v]);
       if (half == nullptr) continue;
-      const Point end{base.x + leg.end.x, leg.end.y, 0};
+      const Point below{base.x + end.x, end.y, 0};
       z = std::max(z, made_.position[half->to].z +
-                          lift(half->to, end, body.slope, made_.scale.body_jitter) - leg.end.z);
+                          lift(half->to, below, body.slope, made_.scale.body_jitter) - end.z);
     }
     base.z = checked(z, first);
     top_ = checked(z + height, first);

@@ -21,18 +21,14 @@ struct SmallBody {
     Point bend_at_u;
     Point bend_at_v;
   };
-  /// Holds where an edge to an earlier part leaves vertex v: the segment from v to `end` is its
-  /// last one.
-  struct BodyLeg {
-    Vertex v;
-    Point end;
-  };
   std::string name;
   std::int64_t
       slope;  ///< a ray may lean by one part in `slope` and still meets nothing of the body
   std::vector<Point> vertices;
   std::vector<BodyLink> links;
-  std::vector<BodyLeg> legs;  ///< one for every vertex of degree 3
+  /// Where edges to an earlier part leave, one for every vertex v of degree 3: the segment from v to
+  /// that point is the edge's last one.
+  std::vector<std::pair<Vertex, Point>> legs;
 };
 
 /// K4, W4, K5 - e, K3,3, K3,3 + e, K3,4 and K5: all graphs with degrees 3 and 4 without two

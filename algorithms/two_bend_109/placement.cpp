@@ -221,8 +221,8 @@ class VertexPlacer {
   std::optional<Point> leg_end(Vertex w) const {
     if (legs_.empty() || arrangement_.part[w] - first_part_ < first_body_) return std::nullopt;
     const VertexPart& part = parts_[arrangement_.part[w] - first_part_];
-    for (const SmallBody::BodyLeg& leg : part.body->legs) {
-      if (part.vertices[leg.v] == w) return leg.end;
+    for (const auto& [v, end] : part.body->legs) {
+      if (part.vertices[v] == w) return end;
     }
     throw InternalError("internal error: a vertex of a body with an edge down has a leg");
   }
@@ -253,10 +253,10 @@ class VertexPlacer {
 
   bool place_body(const VertexPart& part) {
     std::vector<NewEdge> edges;  // port: the leg
-    const std::vector<SmallBody::BodyLeg>& legs = part.body->legs;
+    const auto& legs = part.body->legs;
     for (std::size_t leg = 0; leg < legs.size(); ++leg) {
       const std::size_t before = edges.size();
-      add_edges_down(part.vertices[legs[leg].v], part.vertices[0], edges);
+      add_edges_down(part.vertices[legs[leg].first], part.vertices[0], edges);
       for (std::size_t i = before; i < edges.size(); ++i) {
         edges[i].port = static_cast<std::uint8_t>(leg);
       }
@@ -280,8 +280,8 @@ class VertexPlacer {
     const auto at = [&](Point p) { return origin + as_vector(p); };
     std::vector<LatticeSegment> segments;
     for (const NewEdge& edge : edges) {  // first, in the order of the edges
-      const SmallBody::BodyLeg& leg = body.legs[edge.port];
-      segments.push_back({at(body.vertices[leg.v]), at(leg.end)});
+      const auto& [v, end] = body.legs[edge.port];
+      segments.push_back({at(body.vertices[v]), at(end)});
     }
     for (const SmallBody::BodyLink& link : body.links) {
       segments.push_back({at(body.vertices[link.u]), at(link.bend_at_u)});
@@ -297,7 +297,7 @@ class VertexPlacer {
     for (const LatticeSegment& segment : own) add_stub(segment);
     for (std::size_t i = 0; i < edges.size(); ++i) {
       add_middle(edges[i], own[i].to);
-      const Vertex v = part.vertices[body.legs[edges[i].port].v];
+      const Vertex v = part.vertices[body.legs[edges[i].port].first];
       made_.ends[v][index_of(v, edges[i].below)] = own[i].to;
     }
     for (std::size_t i = 0; i < part.vertices.size(); ++i) {

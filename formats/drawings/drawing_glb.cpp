@@ -139,7 +139,7 @@ void write_glb(OutputFile& output, const Drawing& drawing) {
                            {"_EDGE", add_numbers(buffer, drawing, points, true)}};
   const Json mesh = primitives(buffer, drawing, roles, attributes);
   Json materials = Json::array();
-  for (const auto& role : roles.roles) materials.push_back(material(role.name, role.colour));
+  for (const auto& [name, colour] : roles.roles) materials.push_back(material(name, colour));
   materials.push_back(material("vertex", kVertexColour));
   const std::string json = Json({{"asset", {{"version", "2.0"}, {"generator", "ar3d"}}},
                                  {"extensionsUsed", {"KHR_materials_unlit"}},

@@ -51,7 +51,7 @@ void write_graphml(OutputFile& output, const Drawing& drawing) {
         "<edge id=\"e{}\" source=\"n{}\" target=\"n{}\"><data key=\"bends\">{}</data><data "
         "key=\"role\">{}</data></edge>\n",
         e, drawing.edge(e).u, drawing.edge(e).v, bends,
-        xml_text(roles.roles[roles.edges[e]].name)));
+        xml_text(roles.roles[roles.edges[e]].first)));
   });
   output.append("</graph>\n</graphml>\n");
 }

@@ -28,7 +28,7 @@ std::string drawing_to_svg(const Drawing& drawing, const ExportOptions& view) {
               : "/>");
       continue;
     }
-    const Rgb c = faded(roles.roles[static_cast<std::size_t>(item.role)].colour, item.nearness);
+    const Rgb c = faded(roles.roles[static_cast<std::size_t>(item.role)].second, item.nearness);
     out += fmt::format(
         "<path class=\"role{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#{:02x}{:02x}{:02x}\" "
         "stroke-width=\"{:.1f}\"/>\n",
@@ -46,7 +46,7 @@ std::string drawing_to_tikz(const Drawing& drawing, const ExportOptions& view) {
       "% Made by ar3d; \\usepackage{tikz} in the preamble, then \\input this file.\n"
       "\\begin{tikzpicture}[x=1pt, y=-1pt, line cap=round]\n";
   for (std::size_t role = 0; role < roles.roles.size(); ++role) {
-    const Rgb c = roles.roles[role].colour;
+    const Rgb c = roles.roles[role].second;
     out += fmt::format("\\definecolor{{ar3drole{}}}{{RGB}}{{{},{},{}}}\n", role, c[0], c[1], c[2]);
   }
   for (const Projection::PaintedItem& item : picture.items) {

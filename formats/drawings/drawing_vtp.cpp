@@ -59,7 +59,7 @@ void add_cell_data(Arrays& arrays, const Drawing& drawing, const EdgeRoles& role
   arrays.array("UInt8", "colour", 3, [&] {
     const auto add = [&](Rgb c) { arrays.add(int{c[0]}, int{c[1]}, int{c[2]}); };
     for (std::size_t v = 0; v < n; ++v) add(kVertexColour);
-    for (EdgeId e = 0; e < drawing.num_edges(); ++e) add(roles.roles[roles.edges[e]].colour);
+    for (EdgeId e = 0; e < drawing.num_edges(); ++e) add(roles.roles[roles.edges[e]].second);
   });
   arrays.tag("/CellData");
 }

@@ -17,12 +17,10 @@ using Rgb = std::array<std::uint8_t, 3>;
 /// Holds what the edges of a drawing are in its construction, read from the drawing itself; so a
 /// drawing that comes from a file has them, too.
 struct EdgeRoles {
-  struct EdgeRole {
-    std::string name;
-    Rgb colour;  ///< of the palette of Okabe and Ito, which colour-blind readers can tell apart
-  };
-  std::string title;                ///< what the roles are; empty if the construction is not known
-  std::vector<EdgeRole> roles;      ///< at least one; the last one: none of the others
+  std::string title;  ///< what the roles are; empty if the construction is not known
+  /// Their names, and their colours in the palette of Okabe and Ito, which colour-blind readers can
+  /// tell apart; at least one; the last one: none of the others.
+  std::vector<std::pair<std::string, Rgb>> roles;
   std::vector<std::uint8_t> edges;  ///< for each edge its role
 };
 

@@ -20,8 +20,8 @@ Json exact(Point p) { return {std::to_string(p.x), std::to_string(p.y), std::to_
 
 Json roles_json(const EdgeRoles& roles) {
   Json list = Json::array();
-  for (const EdgeRoles::EdgeRole& role : roles.roles) {
-    list.push_back({{"name", role.name}, {"colour", role.colour}});
+  for (const auto& [name, colour] : roles.roles) {
+    list.push_back({{"name", name}, {"colour", colour}});
   }
   return {{"title", roles.title}, {"list", list}};
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 #include <utility>
@@ -156,40 +157,37 @@ std::optional<std::string_view> take_line(std::string_view& text, bool whole) {
   return std::nullopt;
 }
 
-/// What the lines behind the header of a text tell.
-struct MetisFit {
-  bool ids_fit = true;       ///< they are from 1 to n
-  bool is_whole = false;     ///< a line for each vertex, each edge at both of its ends, m of them
-  bool may_be_edges = true;  ///< each line has two numbers, or none, and no pair stands twice
-};
-
-MetisFit metis_fit(std::string_view text, bool whole, std::uint64_t n, std::uint64_t m) {
+/// Whether the ids in the lines behind the header of a text are from 1 to n; whether it is whole, a
+/// line for each vertex, each edge at both of its ends, m of them; and whether the lines may be edges,
+/// each of two numbers, or none, and no pair twice.
+std::array<bool, 3> metis_fit(std::string_view text, bool whole, std::uint64_t n, std::uint64_t m) {
   using Arc = std::pair<std::uint64_t, std::uint64_t>;
-  MetisFit fit;
+  bool ids_fit = true, may_be_edges = true;
   std::vector<Arc> arcs, pairs;
   std::uint64_t rows = 0;
   for (auto line = take_line(text, whole); line && rows < n; line = take_line(text, whole)) {
     const auto row = numbers_of(*line);
-    if (!row) return {false};
+    if (!row) return {false, false, true};
     ++rows;
     for (const std::uint64_t id : *row) {
-      fit.ids_fit = fit.ids_fit && id >= 1 && id <= n;
+      ids_fit = ids_fit && id >= 1 && id <= n;
       arcs.emplace_back(rows, id);
     }
     if (row->size() == 2)
       pairs.emplace_back(std::min(row->at(0), row->at(1)), std::max(row->at(0), row->at(1)));
-    if (row->size() != 2 && !row->empty()) fit.may_be_edges = false;
+    if (row->size() != 2 && !row->empty()) may_be_edges = false;
   }
   std::ranges::sort(pairs);
-  fit.may_be_edges = fit.may_be_edges && std::ranges::adjacent_find(pairs) == pairs.end();
+  may_be_edges = may_be_edges && std::ranges::adjacent_find(pairs) == pairs.end();
   std::vector<Arc> back;
   for (const auto& [u, v] : arcs) back.emplace_back(v, u);
   std::ranges::sort(arcs);
   std::ranges::sort(back);
   const bool has_loop =
       std::ranges::any_of(arcs, [](const Arc& arc) { return arc.first == arc.second; });
-  fit.is_whole = !has_loop && (!whole || (rows == n && arcs == back && arcs.size() == 2 * m));
-  return fit;
+  const bool is_whole =
+      !has_loop && (!whole || (rows == n && arcs == back && arcs.size() == 2 * m));
+  return {ids_fit, is_whole, may_be_edges};
 }
 
 /// True for METIS, false for edge lists, both being numbers: by our mark, or if only one of
@@ -213,10 +211,10 @@ bool looks_like_metis(const InputHead& head) {
     return is_format && head.ending != "edgelist" && (n > 0 || m == 0);
   }
   if (n == 0 || m == 0) return false;  // a loop or an edge of an edge list, or its header
-  const MetisFit fit = metis_fit(text, head.whole, n, m);
-  if (!fit.ids_fit) return false;
-  if (!fit.may_be_edges || head.ending == "metis") return true;
-  if (!fit.is_whole || head.ending == "edgelist") return false;
+  const auto [ids_fit, is_whole, may_be_edges] = metis_fit(text, head.whole, n, m);
+  if (!ids_fit) return false;
+  if (!may_be_edges || head.ending == "metis") return true;
+  if (!is_whole || head.ending == "edgelist") return false;
   throw InputError("this may be METIS or an edge list: --from metis or --from edgelist says which");
 }
 

@@ -50,10 +50,10 @@ std::vector<Graph> sample() {
 TEST(Colouring, OrientationIsBalanced) {
   for (const Graph& graph : sample()) {
     const PaddedNeighbours neighbours = padded_neighbours(graph);
-    const BalancedOrientation orientation = balanced_orientation(neighbours);
+    const auto [outs, ins] = balanced_orientation(neighbours);
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      const unsigned out = orientation.out[v];
-      const unsigned in = orientation.in[v];
+      const unsigned out = outs[v];
+      const unsigned in = ins[v];
       EXPECT_EQ(out & in, 0u);
       EXPECT_EQ(out | in, (1u << graph.degree(v)) - 1);
       EXPECT_LE(__builtin_popcount(out), 2);
@@ -154,13 +154,13 @@ TEST(Placements, KeepTheirInvariantsInEveryMode) {
     for (const PlanePoint p : guaranteed.at) EXPECT_EQ((p.X | p.Y) & 1, 0);
     for (const auto& compact :
          {place_alternating(graph, green, red), place_in_pairs(graph, green, red)}) {
-      EXPECT_TRUE(!compact || keeps_invariants(graph, compact->placement));
+      EXPECT_TRUE(!compact || keeps_invariants(graph, compact->first));
     }
     RandomStream random(graph.num_edges(), 3);
     std::vector<std::uint8_t> parity(graph.num_vertices());
     for (auto& p : parity) p = random.chance(1, 2);
     const auto compact = place_by_parity(graph, green, red, parity);
-    EXPECT_TRUE(!compact || keeps_invariants(graph, compact->placement));
+    EXPECT_TRUE(!compact || keeps_invariants(graph, compact->first));
   }
 }
 

@@ -214,10 +214,10 @@ TEST(GridPaperGrowth, CyclesAreShortestAndClosuresClosed) {
     const Graph graph = shuffled(generate(find_family(family), 90, 5), 6);
     for (const bool any_cycle : {false, true}) {
       std::vector<int> times(graph.num_vertices());
-      for (const auto& component : grid_paper::grow(graph, any_cycle, {})) {
+      for (const auto& [vertices, stages] : grid_paper::grow(graph, any_cycle, {})) {
         std::vector<bool> gone(graph.num_vertices(), true);
-        for (const Vertex v : component.vertices) gone[v] = false;
-        for (const GrowthStage& stage : component.stages) {
+        for (const Vertex v : vertices) gone[v] = false;
+        for (const GrowthStage& stage : stages) {
           if (!stage.cycle.empty()) expect_chordless(graph, stage.cycle);
           if (!stage.cycle.empty() && !any_cycle) {
             EXPECT_EQ(stage.cycle.size(), plain_girth(graph, gone));
@@ -228,7 +228,7 @@ TEST(GridPaperGrowth, CyclesAreShortestAndClosuresClosed) {
               ++times[v];
             }
           }
-          for (const Vertex v : component.vertices) {
+          for (const Vertex v : vertices) {
             const auto outside = std::ranges::count_if(
                 graph.incident(v), [&](HalfEdge half) { return !gone[half.to]; });
             EXPECT_TRUE(gone[v] ? outside <= 1 : outside >= 2);

@@ -265,8 +265,7 @@ TEST(Routed, OptionsOutOfRangeAndTooLittleMemoryAreRefused) {
 /// A routing of K4 that is a drawing.
 Routing routing_of_k4(const Graph& graph) {
   routed::BoxCounts counts;
-  const auto found = routed::smallest_routing(graph, PointClass::body(), 3,
-                                              {.effort = 0, .most_bytes = 1 << 20}, counts);
+  const auto found = routed::smallest_routing(graph, PointClass::body(), 3, 0, 1 << 20, counts);
   return found.value();
 }
 

@@ -213,10 +213,10 @@ Drawing with_rays(const SmallBody& body, Graph& graph) {
     edges.push_back({link.u, link.v});
     bends.push_back({link.bend_at_u, link.bend_at_v});
   }
-  for (const SmallBody::BodyLeg& leg : body.legs) {
-    edges.push_back({leg.v, static_cast<Vertex>(at.size())});
-    at.push_back({leg.end.x, leg.end.y, -1000000});
-    bends.push_back({leg.end});
+  for (const auto& [v, end] : body.legs) {
+    edges.push_back({v, static_cast<Vertex>(at.size())});
+    at.push_back({end.x, end.y, -1000000});
+    bends.push_back({end});
   }
   graph = Graph(at.size(), edges);
   return testing::two_bend_drawing(edges, at, bends);
@@ -261,16 +261,16 @@ bool some_ray_meets(Point apex, Point a, Point b, std::int64_t slope) {
 
 /// Whether some such ray from a leg's end meets the body; not its own leg, which it leaves at an
 /// angle.
-bool some_ray_meets(const SmallBody& body, const SmallBody::BodyLeg& leg, std::int64_t slope) {
+bool some_ray_meets(const SmallBody& body, Vertex v, Point end, std::int64_t slope) {
   for (const SmallBody::BodyLink& link : body.links) {
     const std::array<Point, 4> line = {body.vertices[link.u], link.bend_at_u, link.bend_at_v,
                                        body.vertices[link.v]};
     for (std::size_t i = 0; i < 3; ++i) {
-      if (some_ray_meets(leg.end, line[i], line[i + 1], slope)) return true;
+      if (some_ray_meets(end, line[i], line[i + 1], slope)) return true;
     }
   }
-  return std::any_of(body.legs.begin(), body.legs.end(), [&](const SmallBody::BodyLeg& other) {
-    return other.v != leg.v && some_ray_meets(leg.end, body.vertices[other.v], other.end, slope);
+  return std::ranges::any_of(body.legs, [&](const auto& other) {
+    return other.first != v && some_ray_meets(end, body.vertices[other.first], other.second, slope);
   });
 }
 
@@ -279,12 +279,12 @@ bool some_ray_meets(const SmallBody& body, const SmallBody::BodyLeg& leg, std::i
 TEST(TwoBend109Bodies, RaysMayLeanAsTheirSlopeSays) {
   std::set<std::string> need_more_than_5;
   for (const SmallBody& body : small_bodies()) {
-    for (const SmallBody::BodyLeg& leg : body.legs) {
-      const Vector stub = leg.end - body.vertices[leg.v];
+    for (const auto& [v, end] : body.legs) {
+      const Vector stub = end - body.vertices[v];
       EXPECT_LE(angle(real(stub), kDown), 58.8) << body.name;
       EXPECT_GE(body.slope, 5) << body.name;
-      EXPECT_FALSE(some_ray_meets(body, leg, body.slope)) << body.name << " leg of " << leg.v;
-      if (some_ray_meets(body, leg, 5)) need_more_than_5.insert(body.name);
+      EXPECT_FALSE(some_ray_meets(body, v, end, body.slope)) << body.name << " leg of " << v;
+      if (some_ray_meets(body, v, end, 5)) need_more_than_5.insert(body.name);
     }
   }
   EXPECT_LT(58.8 + lean(5), kMostTurn - 0.2);
@@ -323,7 +323,7 @@ TEST(TwoBend109Bodies, ReachNoFurtherThanLemmaE6Says) {
       add(link.bend_at_u);
       add(link.bend_at_v);
     }
-    for (const SmallBody::BodyLeg& leg : body.legs) add(leg.end);
+    for (const auto& [v, end] : body.legs) add(end);
     slope = std::max(slope, body.slope);
     EXPECT_LE(body.legs.size(), 6u) << "edges, and 15 pairs of them (Lemma E.5)";
   }
@@ -354,12 +354,12 @@ TEST(TwoBend109Bodies, TwoStubsUpNeverDifferAlongTwoLegs) {
     }
   }
   for (const SmallBody& body : small_bodies()) {
-    for (const SmallBody::BodyLeg& a : body.legs) {
-      for (const SmallBody::BodyLeg& b : body.legs) {
-        if (a.v == b.v) continue;
-        EXPECT_NE(a.end.z, b.end.z) << body.name;
+    for (const auto& [u, u_end] : body.legs) {
+      for (const auto& [v, v_end] : body.legs) {
+        if (u == v) continue;
+        EXPECT_NE(u_end.z, v_end.z) << body.name;
         for (const Vector& d : differences)
-          EXPECT_FALSE(are_parallel(d, a.end - b.end)) << body.name;
+          EXPECT_FALSE(are_parallel(d, u_end - v_end)) << body.name;
       }
     }
   }

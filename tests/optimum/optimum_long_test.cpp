@@ -29,7 +29,7 @@ void expect_smallest(const Graph& graph, const Question& question, std::int64_t 
   const auto solver = optimum::cadical_solver();
   const bool has_edges = graph.num_edges() > 0;
   for (const BoxSize& box : optimum::maximal_boxes(volume, question.diagonals, has_edges)) {
-    EXPECT_FALSE(holds_drawing(graph, question, box, *solver)) << optimum::to_string(box);
+    EXPECT_FALSE(holds_drawing(graph, question, box, solver)) << optimum::to_string(box);
   }
 }
 

@@ -20,11 +20,11 @@ using optimum::Question;
 
 /// Does the box hold a drawing, by the formulas of optimum/? A drawing is certified, and lies in it.
 inline bool decide(const Graph& graph, const Question& question, const BoxSize& box,
-                   optimum::Solver& solver) {
+                   const optimum::Solver& solver) {
   for (const optimum::PointClass& points : point_classes(question, box)) {
     if (points.points.size() < graph.num_vertices()) continue;  // it holds none
     const optimum::Encoding encoding(graph, question, points);
-    const auto result = solver.solve({.formula = encoding.formula()});
+    const auto result = solver({.formula = encoding.formula()});
     if (result.answer != optimum::Answer::satisfiable) continue;
     const Drawing drawing = encoding.decode(result.model);
     const Certificate certificate =
@@ -53,9 +53,9 @@ inline int compare_encodings(int cases, std::uint64_t seed) {
                             random.chance(1, 4)};
     const auto side = [&] { return static_cast<int>(1 + !is_face + random.below(5)); };
     const BoxSize box = {side(), side(), side()};
-    const bool is_drawn = decide(graph, question, box, *solver);
+    const bool is_drawn = decide(graph, question, box, solver);
     drawings += is_drawn;
-    EXPECT_EQ(is_drawn, holds_drawing(graph, question, box, *solver))
+    EXPECT_EQ(is_drawn, holds_drawing(graph, question, box, solver))
         << graph_hash(graph) << ' ' << optimum::to_string(box) << ' ' << question.max_bends
         << is_face << question.in_plane;
   }
@@ -65,7 +65,7 @@ inline int compare_encodings(int cases, std::uint64_t seed) {
 /// The volume of the smallest box, found and certified without a limit of time.
 inline std::int64_t smallest_volume(const Graph& graph, const Question& question) {
   const auto solver = optimum::cadical_solver();
-  const optimum::SmallestBox found = find_smallest_box(graph, question, *solver);
+  const optimum::SmallestBox found = find_smallest_box(graph, question, solver);
   EXPECT_TRUE(found.is_closed());
   EXPECT_TRUE(
       certify(graph, *found.drawing, guarantee_of(question), {.check_size = false}).valid());

@@ -33,7 +33,7 @@ TEST(Optimum, HasNoDrawingWhereThereIsNone) {
   // A triangle needs a bend along body diagonals; no cubic graph has one bend along face diagonals.
   for (const auto& [graph, question] : {std::pair{cycle(3), Question{Diagonals::body, 0, false}},
                                         {complete(4), Question{Diagonals::face, 1, false}}}) {
-    const auto found = find_smallest_box(graph, question, *solver, {.volume_below = 90});
+    const auto found = find_smallest_box(graph, question, solver, {.volume_below = 90});
     EXPECT_FALSE(found.drawing);
     EXPECT_EQ(found.at_least, 90);
     EXPECT_FALSE(found.is_closed());
@@ -53,7 +53,7 @@ TEST(Optimum, StopsWhenAskedTo) {
   const auto solver = optimum::cadical_solver();
   int asked = 0;
   const auto found =
-      find_smallest_box(complete(5), kBody, *solver, {.should_stop = [&] { return ++asked > 40; }});
+      find_smallest_box(complete(5), kBody, solver, {.should_stop = [&] { return ++asked > 40; }});
   EXPECT_FALSE(found.is_closed());
   EXPECT_GE(found.at_least, 8);
   EXPECT_LE(found.at_least, 512);

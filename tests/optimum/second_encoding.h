@@ -173,13 +173,13 @@ class SecondEncoding {
 
 /// Does the box hold a drawing? With a plane it is across z.
 inline bool holds_drawing(const Graph& graph, const optimum::Question& question, const Triple& box,
-                          optimum::Solver& solver) {
+                          const optimum::Solver& solver) {
   std::vector<Triple> shifts = {{0, 0, 0}, {1, 0, 0}};
   if (question.diagonals == optimum::Diagonals::body)
     shifts = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   return std::ranges::any_of(shifts, [&](const Triple& shift) {
     const SecondEncoding second(graph, question, box, shift);
-    return solver.solve({.formula = second.formula()}).answer == optimum::Answer::satisfiable;
+    return solver({.formula = second.formula()}).answer == optimum::Answer::satisfiable;
   });
 }
 
