@@ -197,7 +197,7 @@ int say_interrupted(const std::string& where) {
 
 int compare_builds(const CompareArguments& arguments) {
   if (!arguments.files.empty()) throw InputError("--base takes no results files");
-  const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
+  const Interruptible interruptible(/*ignores_second=*/true);  // to clean up in peace
   std::FILE* progress = is_quiet_output ? nullptr : stderr;
   const Study study = study_to_run(arguments.study);
   for (const std::string& output : {arguments.json, arguments.markdown}) {
@@ -262,7 +262,7 @@ std::vector<Study> turns_sides(const CompareArguments& arguments, const std::str
 
 int compare_in_turns(const CompareArguments& arguments) {
   if (!arguments.files.empty()) throw InputError("--turns takes no results files");
-  const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
+  const Interruptible interruptible(/*ignores_second=*/true);  // to clean up in peace
   const std::string scratch = new_temporary_folder("ar3d-turns");
   BOOST_SCOPE_EXIT_ALL(&) { remove_folder(scratch); };
   std::vector<CurveKey> settings;

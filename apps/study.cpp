@@ -58,7 +58,7 @@ void write_report(const std::string& results, const StudyAnalysis& analysis) {
 // @return false if it was interrupted.
 bool count_drawings_of(const std::string& path) {
   if (is_interrupted()) return false;
-  const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
+  const Interruptible interruptible(/*ignores_second=*/true);  // to clean up in peace
   Results results = read_results(path);
   const auto is_counted = [](const RunRecord& run) { return run.counted_instructions >= 0; };
   if (std::any_of(results.runs.begin(), results.runs.end(), is_counted)) return true;
@@ -134,7 +134,7 @@ void tell_limits_of_files(const JournaledStudy& study, const StudyIdentity& iden
 int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const SessionPolicy& policy,
                    Ranks& ranks) {
   // A second signal ends the program at once: what is acknowledged is in the journal.
-  const Interruptible interruptible(SecondSignal::ends_program);
+  const Interruptible interruptible;
   if (ranks.size() > 1 && ranks.is_first()) {
     note(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
          ranks.size(), shell_word(study.results));

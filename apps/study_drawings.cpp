@@ -64,7 +64,7 @@ int count(const CountArguments& arguments) {
                            .streams = false});
   }
   require_writable(path);
-  const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
+  const Interruptible interruptible(/*ignores_second=*/true);  // to clean up in peace
   const std::size_t counted = fill_counts(results, arguments.max_n);
   if (is_interrupted()) return kInterrupted;
   if (counted == 0) {

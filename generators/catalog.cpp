@@ -18,6 +18,10 @@ namespace {
 using S = std::uint64_t;    // seed
 using P = const Settings&;  // complete parameters
 
+Drawing straight_drawing(const char* name, const std::pair<Graph, std::vector<Point>>& piece) {
+  return drawing_from_points(name, piece.first, piece.second);
+}
+
 const SettingSpec kTorusRows = {"rows", 3, 1000000, 4, "length of the short cycles"};
 const SettingSpec kJump = {"k", 1, 1000000, 2, "step of the inner edges"};
 const SettingSpec kDegree = {"degree", 1, 4, 3, "degree of every vertex"};
@@ -95,11 +99,11 @@ std::vector<Family> catalogue() {
       {"honeycomb", "The hexagonal patch of the honeycomb with k hexagons on a side", 3, false, {},
        squares<6>, [](Count n, S, P) { return honeycomb(root(n / 6)); }},
       {"diamond-lattice", "Breadth-first piece of the diamond lattice", 4, false, {}, from<1>,
-       [](Count n, S, P) { return diamond_lattice_piece(n).graph; },
-       [](Count n, S, P) { return straight_drawing(diamond_lattice_piece(n), "diamond-lattice"); }},
+       [](Count n, S, P) { return diamond_lattice_piece(n).first; },
+       [](Count n, S, P) { return straight_drawing("diamond-lattice", diamond_lattice_piece(n)); }},
       {"laves-graph", "Breadth-first piece of the Laves graph", 3, false, {}, from<1>,
-       [](Count n, S, P) { return laves_piece(n).graph; },
-       [](Count n, S, P) { return straight_drawing(laves_piece(n), "laves-graph"); }},
+       [](Count n, S, P) { return laves_piece(n).first; },
+       [](Count n, S, P) { return straight_drawing("laves-graph", laves_piece(n)); }},
       {"percolated-square-grid", "Random edges of the square patch", 4, true, {kKeep}, squares<1>,
        [](Count n, S seed, P p) { return thinned(square_grid(root(n), root(n)), keep(p), seed); }},
       {"percolated-honeycomb", "Random edges of the hexagonal patch of the honeycomb", 3, true,
@@ -107,9 +111,9 @@ std::vector<Family> catalogue() {
        [](Count n, S seed, P p) { return thinned(honeycomb(root(n / 6)), keep(p), seed); }},
       {"percolated-diamond-lattice", "Random edges of a piece of the diamond lattice", 4, true,
        {kKeep}, from<1>,
-       [](Count n, S seed, P p) { return thinned(diamond_lattice_piece(n).graph, keep(p), seed); }},
+       [](Count n, S seed, P p) { return thinned(diamond_lattice_piece(n).first, keep(p), seed); }},
       {"percolated-laves-graph", "Random edges of a piece of the Laves graph", 3, true, {kKeep},
-       from<1>, [](Count n, S seed, P p) { return thinned(laves_piece(n).graph, keep(p), seed); }},
+       from<1>, [](Count n, S seed, P p) { return thinned(laves_piece(n).first, keep(p), seed); }},
 
       {"nested-triangles", "Triangles inside one another, neighbours joined by three edges", 4, false,
        {}, steps<3, 3>, [](Count n, S, P) { return nested_triangles(n / 3); }},

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ar3d/generators/graph_builder.h"
@@ -65,23 +66,15 @@ Graph honeycomb(Count k);
 /// The hypercube Q_d: n = 2^d, d-regular and d-connected. d in 0..4.
 Graph hypercube(Count d);
 
-/// A piece of a lattice graph together with its own drawing without bends.
-struct LatticePiece {
-  Graph graph;
-  std::vector<Point> positions;  ///< one per vertex, on the unit cube grid
-};
-
 /// The first n vertices of the diamond lattice in breadth-first order from the origin: connected,
 /// bipartite, maximum degree 4, girth 6. Edges are the vectors (1,1,1), (1,-1,-1), (-1,1,-1),
-/// (-1,-1,1) or their negatives: all angles arccos(-1/3). n >= 1. Cost: O(n) expected.
-LatticePiece diamond_lattice_piece(Count n);
+/// (-1,-1,1) or their negatives: all angles arccos(-1/3). With their points
+/// on the unit cube grid. n >= 1. Cost: O(n) expected.
+std::pair<Graph, std::vector<Point>> diamond_lattice_piece(Count n);
 
 /// The same of the Laves graph (the K4 crystal, Sunada 2008): maximum degree 3, girth 10, edges are
 /// face diagonals of the cube grid, the three at a vertex lie in a plane: all angles 120 degrees.
-LatticePiece laves_piece(Count n);
-
-/// The piece drawn where it stands, without bends; `name` is the drawing's algorithm name.
-Drawing straight_drawing(const LatticePiece& piece, const char* name);
+std::pair<Graph, std::vector<Point>> laves_piece(Count n);
 
 /// `depth` triangles, each joined to the next by three edges (C_3 x P_depth): planar, 3-connected
 /// for depth >= 2, maximum degree 4 for depth >= 3. Planar straight-line drawings of nested

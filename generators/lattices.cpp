@@ -75,27 +75,26 @@ namespace {
 /// edge between two of its vertices belongs to the piece and is entered when the later end is
 /// expanded.
 template <class Steps>
-LatticePiece breadth_first_piece(Count n, Steps steps) {
-  LatticePiece piece;
+std::pair<Graph, std::vector<Point>> breadth_first_piece(Count n, Steps steps) {
+  std::vector<Point> positions;
   std::unordered_map<Point, Count, PointHash> number(n);
-  piece.positions.reserve(n);
-  piece.positions.push_back({});
+  positions.reserve(n);
+  positions.push_back({});
   number.emplace(Point{}, 0);
   GraphBuilder builder(n, 2 * n);
-  for (Count v = 0; v < piece.positions.size(); ++v) {
-    const Point at = piece.positions[v];
+  for (Count v = 0; v < positions.size(); ++v) {
+    const Point at = positions[v];
     for (const Vector step : steps(at)) {
       const auto known = number.find(at + step);
       if (known != number.end()) {
         if (known->second < v) builder.edge(known->second, v);
-      } else if (piece.positions.size() < n) {
-        number.emplace(at + step, piece.positions.size());
-        piece.positions.push_back(at + step);
+      } else if (positions.size() < n) {
+        number.emplace(at + step, positions.size());
+        positions.push_back(at + step);
       }
     }
   }
-  piece.graph = builder.finish();
-  return piece;
+  return {builder.finish(), std::move(positions)};
 }
 
 std::vector<Vector> diamond_steps(Point p) {
@@ -129,12 +128,12 @@ std::vector<Vector> laves_steps(Point p) {
 
 }  // namespace
 
-LatticePiece diamond_lattice_piece(Count n) { return breadth_first_piece(n, diamond_steps); }
+std::pair<Graph, std::vector<Point>> diamond_lattice_piece(Count n) {
+  return breadth_first_piece(n, diamond_steps);
+}
 
-LatticePiece laves_piece(Count n) { return breadth_first_piece(n, laves_steps); }
-
-Drawing straight_drawing(const LatticePiece& piece, const char* name) {
-  return drawing_from_points(name, piece.graph, piece.positions);
+std::pair<Graph, std::vector<Point>> laves_piece(Count n) {
+  return breadth_first_piece(n, laves_steps);
 }
 
 }  // namespace ar3d

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include <boost/scope_exit.hpp>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -16,15 +17,6 @@
 
 namespace ar3d::optimum {
 namespace {
-
-/// A folder for the formula and the answer that goes with the scope.
-struct TemporaryFolder {
-  std::string path = new_temporary_folder("ar3d-solver");
-  TemporaryFolder() = default;
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() { remove_folder(path); }
-};
 
 [[noreturn]] void fail(const std::string& program, const std::string& what) {
   throw InputError(fmt::format("solver '{}' {}", program, what));
@@ -61,9 +53,10 @@ SolverResult read_answer(const std::string& program, const std::string& path, in
 }
 
 SolverResult solve(const SolverTask& task, std::vector<std::string> words) {
-  const TemporaryFolder folder;
-  const std::string formula = folder.path + "/formula.cnf";
-  const std::string answer = folder.path + "/answer";
+  const std::string folder = new_temporary_folder("ar3d-solver");
+  BOOST_SCOPE_EXIT_ALL(&) { remove_folder(folder); };
+  const std::string formula = folder + "/formula.cnf";
+  const std::string answer = folder + "/answer";
   write_file_atomically(formula, task.formula.dimacs());
   const std::string program = words[0];
   words.push_back(formula);

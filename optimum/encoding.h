@@ -32,7 +32,7 @@ std::vector<PointClass> point_classes(const Question& question, const BoxSize& b
 class Encoding {
  public:
   /// All three are kept by reference. @pre the class has a point for every vertex.
-  /// @throws FormulaTooLarge as Formula::add.
+  /// @throws std::length_error as Formula::add.
   Encoding(const Graph& graph, const Question& question, const PointClass& points);
 
   const Formula& formula() const { return formula_; }

@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <stdexcept>
 
 namespace ar3d::optimum {
 
 void Formula::add(std::span<const int> clause) {
   if (literals_.size() + clause.size() >= kMostLiterals) {
-    throw FormulaTooLarge(fmt::format("its formula has more than {} literals", kMostLiterals));
+    throw std::length_error(fmt::format("its formula has more than {} literals", kMostLiterals));
   }
   literals_.insert(literals_.end(), clause.begin(), clause.end());
   literals_.push_back(0);

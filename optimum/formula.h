@@ -6,15 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/base/error.h"
-
 namespace ar3d::optimum {
-
-/// Reports a formula that would not fit into memory.
-class FormulaTooLarge : public InputError {
- public:
-  using InputError::InputError;
-};
 
 /// A formula in conjunctive normal form. A literal is a variable's number from 1 on, or its
 /// negative.
@@ -22,7 +14,7 @@ class Formula {
  public:
   int new_variable() { return ++variables_; }
   void add(std::initializer_list<int> clause) { add(std::span(clause.begin(), clause.size())); }
-  /// @throws FormulaTooLarge beyond kMostLiterals.
+  /// @throws std::length_error beyond kMostLiterals.
   void add(std::span<const int> clause);
 
   int num_variables() const { return variables_; }

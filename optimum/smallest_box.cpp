@@ -11,6 +11,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 
 #include "ar3d/base/new_file.h"
@@ -90,7 +91,7 @@ class Search {
           if (one == Answer::satisfiable || options_.should_stop()) return;
         }
       }
-    } catch (const FormulaTooLarge& error) {
+    } catch (const std::length_error& error) {
       found_.too_large = fmt::format("box {}: {}", to_string(box), error.what());
       too_large_.insert(box);
       return;

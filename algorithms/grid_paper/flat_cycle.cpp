@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "ar3d/algorithms/grid_paper/builder.h"
 #include "ar3d/base/error.h"
@@ -15,10 +16,9 @@ namespace {
 
 constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
 
-/// A piece of a polyline in the layer: a.x < b.x, or a.x = b.x and a.h < b.h.
-struct LayerPiece {
-  LayerPoint a, b;
-};
+/// A piece of a polyline in the layer, the end with the smaller x first, of equal x that with the
+/// smaller h.
+using LayerPiece = std::pair<LayerPoint, LayerPoint>;
 
 LayerPiece piece(LayerPoint a, LayerPoint b) {
   return a.x < b.x || (a.x == b.x && a.h < b.h) ? LayerPiece{a, b} : LayerPiece{b, a};
@@ -26,8 +26,9 @@ LayerPiece piece(LayerPoint a, LayerPoint b) {
 
 /// The least and the largest h that a piece has at x.
 std::pair<std::int64_t, std::int64_t> range_at(const LayerPiece& p, std::int64_t x) {
-  if (p.a.x == p.b.x) return {p.a.h, p.b.h};
-  const std::int64_t h = p.a.h < p.b.h ? p.a.h + (x - p.a.x) : p.a.h - (x - p.a.x);
+  if (p.first.x == p.second.x) return {p.first.h, p.second.h};
+  const std::int64_t h =
+      p.first.h < p.second.h ? p.first.h + (x - p.first.x) : p.first.h - (x - p.first.x);
   return {h, h};
 }
 
@@ -36,8 +37,8 @@ std::pair<std::int64_t, std::int64_t> range_at(const LayerPiece& p, std::int64_t
 /// common range of x decide.
 std::pair<std::int64_t, std::int64_t> touching_shifts(const LayerPiece& moving,
                                                       const LayerPiece& fixed) {
-  const std::int64_t from = std::max(moving.a.x, fixed.a.x);
-  const std::int64_t to = std::min(moving.b.x, fixed.b.x);
+  const std::int64_t from = std::max(moving.first.x, fixed.first.x);
+  const std::int64_t to = std::min(moving.second.x, fixed.second.x);
   std::int64_t least = kMost, largest = -kMost;
   if (from > to) return {least, largest};
   for (const std::int64_t x : {from, to}) {
@@ -134,8 +135,8 @@ class FlatCycleDrawer {
     if (shift > 0) ++cycle_.spread;
     v.h += shift;
     for (LayerPiece& p : fresh) {
-      p.a.h += shift;
-      p.b.h += shift;
+      p.first.h += shift;
+      p.second.h += shift;
     }
     cycle_.bends[i - 1] = {corner(before, on), {before.h, on}, {v.h - drop, on}};
     fresh.push_back(piece({before.h, on}, {v.h - drop, on}));  // the run, for those that follow
@@ -149,7 +150,8 @@ class FlatCycleDrawer {
     std::vector<std::pair<std::int64_t, std::int64_t>> touching;
     if (all_spread_) touching = touching_placed(fresh);
     if (i + 1 == size_) {  // the closing run has a length
-      const std::int64_t run = std::min(fresh.back().a.h, fresh.back().b.h) - cycle_.at[0].h;
+      const std::int64_t run =
+          std::min(fresh.back().first.h, fresh.back().second.h) - cycle_.at[0].h;
       touching.emplace_back(-kMost, 1 - run);
     }
     std::ranges::sort(touching);
@@ -164,8 +166,8 @@ class FlatCycleDrawer {
   /// lies further right than its leg.
   std::vector<std::pair<std::int64_t, std::int64_t>> touching_placed(
       const std::vector<LayerPiece>& fresh) const {
-    std::int64_t left = fresh[0].a.h;
-    for (const LayerPiece& p : fresh) left = std::min({left, p.a.h, p.b.h});
+    std::int64_t left = fresh[0].first.h;
+    for (const LayerPiece& p : fresh) left = std::min({left, p.first.h, p.second.h});
     std::vector<std::pair<std::int64_t, std::int64_t>> touching;
     std::size_t j = cycle_.at.size();
     for (; j > 0 && cycle_.at[j - 1].h + 2 >= left; --j) {

@@ -55,9 +55,10 @@ std::vector<std::pair<Node, bool>> nodes_of(const ContractedGraph& graph,
 
 }  // namespace
 
-std::vector<Room> top_rooms(const ContractedGraph& graph, const std::vector<Component>& components,
-                            std::size_t num_edges) {
-  std::vector<Room> rooms(graph.contractions.size());
+std::vector<std::pair<double, bool>> top_rooms(const ContractedGraph& graph,
+                                               const std::vector<Component>& components,
+                                               std::size_t num_edges) {
+  std::vector<std::pair<double, bool>> rooms(graph.contractions.size());
   if (rooms.empty()) return rooms;
   const NodePoints<double> points = stack<double>(graph, components, num_edges);
   const auto inputs = graph.num_nodes() - static_cast<Node>(rooms.size());

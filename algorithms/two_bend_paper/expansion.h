@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -13,18 +14,14 @@
 
 namespace ar3d::two_bend_paper {
 
-/// Holds what a figure of members has when it replaces a node.
-struct Room {
-  double radius = 0;         ///< a power of two; the figure stays within it
-  bool is_straight = false;  ///< the node's two edges leave it at 180 degrees
-};
-
-/// The rooms of all contractions whose result is left in the contracted graph, by contraction
-/// (Step P.9): the radius is at most a third of 1, of the lengths of the first pieces at the place,
+/// The rooms of figures that replace nodes, of all contractions whose result is left in the
+/// contracted graph, by contraction: the radius within which the figure stays, a power of two, and
+/// whether the node's two edges leave it at 180 degrees. Step P.9: the radius is at most a third of 1, of the lengths of the first pieces at the place,
 /// and of its distance from every other segment of the component. Others get radius 0. Found in
 /// double, on the drawing in double. Cost: O(m) for each of them.
-std::vector<Room> top_rooms(const ContractedGraph& graph, const std::vector<Component>& components,
-                            std::size_t num_edges);
+std::vector<std::pair<double, bool>> top_rooms(const ContractedGraph& graph,
+                                               const std::vector<Component>& components,
+                                               std::size_t num_edges);
 
 /// Undoes the contractions in a drawing of the contracted graph, the last one first (Steps P.9 to
 /// P.12): each node becomes a small planar figure of its members. A figure of radius r lies in the
@@ -38,22 +35,21 @@ class Expansion {
   }
 
   /// @param rooms  of top_rooms().
-  void run(std::vector<Room> rooms) {
+  void run(std::vector<std::pair<double, bool>> rooms) {
     const auto& steps = graph_.contractions;
     const Node inputs = graph_.num_nodes() - static_cast<Node>(steps.size());
     for (const Contraction& step : steps) {
       if (graph_.alive[step.result]) read_directions(step);
     }
     for (std::size_t i = steps.size(); i-- > 0;) {
-      room_ = rooms[i];
-      expect(room_.radius > 0, "a contraction has a radius when it is undone");
+      std::tie(radius_, is_straight_) = rooms[i];
+      expect(radius_ > 0, "a contraction has a radius when it is undone");
       expand(steps[i]);
       for (std::size_t m = 0; m < steps[i].members.size(); ++m) {
         const Node member = steps[i].members[m];
         // Only the third corner of a heptagon inherits the angle of the node.
         const bool is_third = steps[i].outer.size() == 2 && m == 2;
-        if (member >= inputs)
-          rooms[member - inputs] = {child_radius_, room_.is_straight && is_third};
+        if (member >= inputs) rooms[member - inputs] = {child_radius_, is_straight_ && is_third};
       }
     }
   }
@@ -102,7 +98,7 @@ class Expansion {
     return unit(cross(a, is_small(a.y) ? V{T(0), T(1), T(0)} : V{T(0), T(0), T(1)}));
   }
 
-  V place(const V& offset) const { return at_ + T(room_.radius) * offset; }
+  V place(const V& offset) const { return at_ + T(radius_) * offset; }
 
   void set_member(const Contraction& step, std::size_t member, const V& offset) {
     offsets_[member] = offset;
@@ -138,7 +134,7 @@ class Expansion {
     }
     for (std::size_t i = 0; i < 3; ++i) set_member(step, i, d[i]);
     for (std::size_t i = 0; i < 3; ++i) set_inner(step, i, (i + 1) % 3, {-d[(i + 2) % 3]});
-    child_radius_ = room_.radius / 2;
+    child_radius_ = radius_ / 2;
   }
 
   /// The plane of two directions d1 and d2 at an angle of 120 to 180 degrees and their bisector.
@@ -171,7 +167,7 @@ class Expansion {
 
   BisectorFrame frame_of(const Contraction& step) const {
     const V d1 = step.outer.empty() ? V{T(1), T(0), T(0)} : outer_direction(step, 0);
-    if (step.outer.size() == 2) return frame_of(d1, outer_direction(step, 1), room_.is_straight);
+    if (step.outer.size() == 2) return frame_of(d1, outer_direction(step, 1), is_straight_);
     return frame_of(d1, turn(d1, perpendicular(d1), 1), false);
   }
 
@@ -193,7 +189,7 @@ class Expansion {
     set_inner(step, 0, 1, {b1, frame.mirrored(b1)});
     set_inner(step, 0, 2, {b4});
     set_inner(step, 1, 2, {frame.mirrored(b4)});
-    child_radius_ = room_.radius / 4;
+    child_radius_ = radius_ / 4;
   }
 
   void diamond(const Contraction& step) {
@@ -212,7 +208,7 @@ class Expansion {
     set_inner(step, 1, 2, {frame.mirrored(b1), frame.mirrored(b2)});
     set_inner(step, 1, 3, {frame.mirrored(b4), frame.mirrored(b5)});
     set_inner(step, 2, 3, {});
-    child_radius_ = room_.radius / 8;
+    child_radius_ = radius_ / 8;
   }
 
   /// Two regular hexagons with a common side, in the plane of the outer edge, if there is one.
@@ -233,14 +229,15 @@ class Expansion {
       set_inner(step, tip, 4, {at(2 * side, 8), at(side, 9)});
     }
     set_inner(step, 3, 4, {});
-    child_radius_ = room_.radius / 32;
+    child_radius_ = radius_ / 32;
   }
 
   const ContractedGraph& graph_;
   NodePoints<T>& points_;
   std::vector<std::array<V, 2>> directions_;  // unit, of an edge at its slots, into the edge
   V at_{};                                    // of the node at hand
-  Room room_;
+  double radius_ = 0;                         // of the room that is filled
+  bool is_straight_ = false;
   double child_radius_ = 0;
   std::array<V, 5> offsets_{};  // of the members, in units of the radius
 };

@@ -31,17 +31,6 @@ struct CycleVertex {
 /// (pass), two (merge) or three (triskelion), or a chordless cycle of at least four nodes.
 enum class StepKind : std::uint8_t { line, pass, merge, triskelion, cycle };
 
-/// Holds where a triskelion stands: `order` are the indices in Step::below of the two farthest
-/// feet t and u and of the third, w. Its middle is over the line from t to u, `slide` times the
-/// height of w over that line away from the foot of this height, towards u; it has arms of length
-/// `radius`.
-struct Triskelion {
-  std::array<std::uint8_t, 3> order{};
-  bool w_is_left = false;  ///< of the way from t to u
-  double slide = 0;
-  double radius = 0;
-};
-
 /// One step of the growth, then all that place() chooses freely for it. The numbers are dyadic and
 /// the same for every real type: what a drawing is made of is a function of them.
 struct Step {
@@ -51,10 +40,17 @@ struct Step {
   bool has_ray = false;         ///< it has a neighbour that is not drawn yet
   std::vector<CycleVertex> cycle;
 
-  Foot foot;         ///< of a line
-  double share = 0;  ///< of a merge: how far on the way from the first foot to the second
-  Triskelion triskelion;
+  Foot foot;                ///< of a line
+  double share = 0;         ///< of a merge: how far on the way from the first foot to the second
   std::vector<Side> sides;  ///< of a cycle
+
+  /// Of a triskelion: the indices in `below` of the two farthest feet t and u and of the third, w.
+  /// Its middle is over the line from t to u, `slide` times the height of w over that line away
+  /// from the foot of this height, towards u; it has arms of length `radius`.
+  std::array<std::uint8_t, 3> order{};
+  bool w_is_left = false;  ///< of the way from t to u
+  double slide = 0;
+  double radius = 0;
 };
 
 /// The order in which a component of the contracted graph is drawn.

@@ -150,13 +150,12 @@ class StepPlacer {
     std::array<Foot, 3> below;
     for (std::size_t i = 0; i < 3; ++i) below[i] = feet_[step.below[i].to];
     for (const HalfEdge incidence : step.below) drop(incidence.to);
-    Triskelion& found = step.triskelion;
-    found.order = farthest_first(below);
-    const Foot t = below[found.order[0]], u = below[found.order[1]], w = below[found.order[2]];
+    step.order = farthest_first(below);
+    const Foot t = below[step.order[0]], u = below[step.order[1]], w = below[step.order[2]];
     const double base = length(minus(u, t));
     const Foot e{(u.x - t.x) / base, (u.y - t.y) / base};
     const double height = std::abs(cross(e, minus(w, t))), s = dot(e, minus(w, t));
-    found.w_is_left = cross(e, minus(w, t)) > 0;
+    step.w_is_left = cross(e, minus(w, t)) > 0;
     const auto others = active_feet(0);
     const auto n = static_cast<double>(others.size() + 3);
     const auto clearance = [&](double at) {
@@ -171,13 +170,13 @@ class StepPlacer {
       const double unit = std::ldexp(1.0, -5 - static_cast<int>(std::min(round, kFinestGrowth)));
       const auto most = static_cast<std::int64_t>(1.5 / unit) + 1;  // |slide| <= 3/4
       for (std::int64_t j = 0; j < most; ++j) {
-        found.slide = static_cast<double>(alternating(j)) * unit;
-        const double at = s + found.slide * height;
+        step.slide = static_cast<double>(alternating(j)) * unit;
+        const double at = s + step.slide * height;
         if (at <= s / 2 || at >= (base + s) / 2) continue;
         const double room = clearance(at);
         if (room < height / (8 * n) * std::ldexp(1.0, -static_cast<int>(round))) continue;
         if (room <= 0) continue;
-        found.radius = std::exp2(std::floor(std::log2(room / 4)));
+        step.radius = std::exp2(std::floor(std::log2(room / 4)));
         return;
       }
     }

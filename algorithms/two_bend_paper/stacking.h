@@ -107,7 +107,7 @@ class Stacking {
       case StepKind::merge:
         return draw_merge(step);
       case StepKind::triskelion:
-        return draw_triskelion(step, step.triskelion);
+        return draw_triskelion(step);
       case StepKind::cycle:
         return draw_cycle(step, step.sides);
     }
@@ -143,16 +143,16 @@ class Stacking {
     top_ = z;
   }
 
-  void draw_triskelion(const Step& step, const Triskelion& shape) {
-    const auto foot = [&](std::size_t i) { return feet_[step.below[shape.order[i]].to]; };
+  void draw_triskelion(const Step& step) {
+    const auto foot = [&](std::size_t i) { return feet_[step.below[step.order[i]].to]; };
     const Point2<T> t = foot(0), u = foot(1), w = foot(2);
     const T base = distance(t, u);
     const Vector3<T> e{T((u.x - t.x) / base), T((u.y - t.y) / base), T(0)};
     const Vector3<T> to_w{T(w.x - t.x), T(w.y - t.y), T(0)};
     const Vector3<T> n =
-        shape.w_is_left ? Vector3<T>{T(-e.y), e.x, T(0)} : Vector3<T>{e.y, T(-e.x), T(0)};
-    const T at = T(dot(e, to_w) + T(shape.slide) * dot(n, to_w));
-    const T r = T(shape.radius), half = T(r / 2), wide = T(square_root(T(3)) * half);
+        step.w_is_left ? Vector3<T>{T(-e.y), e.x, T(0)} : Vector3<T>{e.y, T(-e.x), T(0)};
+    const T at = T(dot(e, to_w) + T(step.slide) * dot(n, to_w));
+    const T r = T(step.radius), half = T(r / 2), wide = T(square_root(T(3)) * half);
     const Vector3<T> middle = Vector3<T>{t.x, t.y, T(0)} + T(at) * e;
     const std::array<Vector3<T>, 3> arm{middle - wide * e, middle + wide * e,
                                         middle + T(half + r) * n};
@@ -163,7 +163,7 @@ class Stacking {
     const Vector3<T> up{T(0), T(0), z};
     points_.of_node[step.node] = middle + half * n + up;
     for (std::size_t i = 0; i < 3; ++i) {
-      set_bends(step.below[shape.order[i]].edge, step.node,
+      set_bends(step.below[step.order[i]].edge, step.node,
                 {arm[i] + up, over(feet[i], T(z - rise_ * run[i]))});
     }
     top_ = z;

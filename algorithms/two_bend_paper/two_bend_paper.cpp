@@ -45,7 +45,7 @@ RealPointsBuilder::Point exact(const Vector3<T>& p) {
 struct Choices {
   ContractedGraph graph;
   std::vector<Component> components;
-  std::vector<Room> rooms;
+  std::vector<std::pair<double, bool>> rooms;  // of top_rooms()
 };
 
 Choices choose(const Graph& graph) {

@@ -68,11 +68,9 @@ class TextBytes final : public ByteSource {
   std::size_t used_ = 0;
 };
 
-class NoParser final : public GraphParser {
- public:
-  using GraphParser::GraphParser;
-  std::optional<Graph> next() override { input_.fail(0, "XML is not read here"); }
-};
+std::unique_ptr<GraphParser> no_parser(TextInput& input, const ReadOptions&) {
+  input.fail(0, "XML is not read here");
+}
 
 }  // namespace
 
@@ -94,7 +92,7 @@ GraphFormat graphml_format() {
           .extensions = {".graphml", ".xml"},
           .summary = "GraphML",
           .detect = [](const InputHead& head) { return head.text.starts_with('<'); },
-          .parser = make_parser<NoParser>,
+          .parser = no_parser,
           .writer = nullptr};
 }
 

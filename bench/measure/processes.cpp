@@ -120,9 +120,9 @@ bool is_at_end(int file) {
 
 }  // namespace
 
-Interruptible::Interruptible(SecondSignal second) {
+Interruptible::Interruptible(bool ignores_second) {
   g_is_interrupted = false;
-  const auto handler = second == SecondSignal::is_ignored ? note : note_first;
+  const auto handler = ignores_second ? note : note_first;
   before_int_ = std::signal(SIGINT, handler);
   before_term_ = std::signal(SIGTERM, handler);
   before_hup_ = std::signal(SIGHUP, SIG_IGN);

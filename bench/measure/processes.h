@@ -10,15 +10,12 @@
 
 namespace ar3d {
 
-/// Says what another of these signals does once one has asked to stop.
-enum class SecondSignal { ends_program, is_ignored };
-
 /// While an object of this class lives, SIGINT, SIGTERM and, unless nohup has it ignored, SIGHUP
-/// ask the program to stop instead of ending it. One at a time; afterwards the signals do what they
-/// did before.
+/// ask the program to stop instead of ending it. Another one ends it, or is ignored, too. One object
+/// at a time; afterwards the signals do what they did before.
 class Interruptible {
  public:
-  explicit Interruptible(SecondSignal second = SecondSignal::ends_program);
+  explicit Interruptible(bool ignores_second = false);
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
   ~Interruptible();

@@ -8,13 +8,13 @@
 namespace ar3d::testing {
 namespace {
 
-void expect_straight(const LatticePiece& piece, std::uint32_t max_degree, Cosine vertex_angle) {
+void expect_straight(const auto& piece, std::uint32_t max_degree, Cosine vertex_angle) {
   CertifyOptions options;
   options.check_size = false;
   const Guarantee guarantee = {
       .max_degree = max_degree, .max_bends = 0, .cosine = vertex_angle, .lattice = kCubeLattice};
-  const Certificate made =
-      certify(piece.graph, straight_drawing(piece, "lattice"), guarantee, options);
+  const Certificate made = certify(
+      piece.first, drawing_from_points("lattice", piece.first, piece.second), guarantee, options);
   EXPECT_TRUE(made.valid()) << made.violations.front().message;
 }
 
@@ -26,10 +26,10 @@ TEST(Lattices, PiecesAreCertifiedWithoutBends) {
 }
 
 TEST(Lattices, PiecesHaveTheGirthOfTheirLattice) {
-  EXPECT_EQ(girth(diamond_lattice_piece(200).graph), 6u);
-  EXPECT_EQ(girth(laves_piece(400).graph), 10u);
-  EXPECT_TRUE(bipartite(diamond_lattice_piece(200).graph));
-  EXPECT_EQ(degree_counts(laves_piece(400).graph).rbegin()->first, 3u);
+  EXPECT_EQ(girth(diamond_lattice_piece(200).first), 6u);
+  EXPECT_EQ(girth(laves_piece(400).first), 10u);
+  EXPECT_TRUE(bipartite(diamond_lattice_piece(200).first));
+  EXPECT_EQ(degree_counts(laves_piece(400).first).rbegin()->first, 3u);
 }
 
 TEST(Lattices, OwnDrawingIsThatOfTheGeneratedGraph) {

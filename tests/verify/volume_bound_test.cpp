@@ -112,7 +112,7 @@ std::vector<Vertex> all_vertices(const Graph& graph) {
 
 std::uint64_t bisection_at_least(const Graph& graph, std::uint32_t most_visits) {
   const auto always = [](const RoutedBisection&) { return true; };
-  return route_bisection(graph, all_vertices(graph), most_visits, always).back().at_least;
+  return route_bisection(graph, all_vertices(graph), most_visits, always).back().first;
 }
 
 TEST(VolumeBound, BisectionsAreAtLeastWhatRoutingSays) {
@@ -175,7 +175,7 @@ TEST(VolumeBound, IsAsIfTheBisectionWereAlwaysLookedFor) {
     EXPECT_EQ(volume(face, backwards), face_last) << family.name;
     EXPECT_EQ(volume(body, backwards), body_first) << family.name;
     gains += body_first > volume_at_least(needs_of(graph), body);
-    spared += forwards.bisections.back().reachable > forwards.bisections.back().at_least;
+    spared += forwards.bisections.back().second > forwards.bisections.back().first;
   }
   EXPECT_GT(gains, 5u);
   EXPECT_GT(spared, 5u);
@@ -241,12 +241,12 @@ TEST(VolumeBound, IsWithinAFactorOfPiecesOfLattices) {
   diamond.directions = {{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
   laves.cosine = {-1, 2};
   laves.directions = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}};
-  const auto expect_within = [](std::uint64_t factor, const LatticePiece& piece, const char* name,
+  const auto expect_within = [](std::uint64_t factor, const auto& piece, const char* name,
                                 const Guarantee& guarantee) {
-    const auto bound = static_cast<std::uint64_t>(volume_at_least(piece.graph, guarantee));
-    const std::uint64_t volume = volume_of(straight_drawing(piece, name));
+    const auto bound = static_cast<std::uint64_t>(volume_at_least(piece.first, guarantee));
+    const std::uint64_t volume = volume_of(drawing_from_points(name, piece.first, piece.second));
     EXPECT_LE(bound, volume);
-    EXPECT_LE(volume, factor * bound) << name << ' ' << piece.graph.num_vertices();
+    EXPECT_LE(volume, factor * bound) << name << ' ' << piece.first.num_vertices();
   };
   for (const std::uint64_t n : {10u, 100u, 1000u, 5000u}) {
     expect_within(6, diamond_lattice_piece(n), "diamond-lattice", diamond);

@@ -220,17 +220,17 @@ std::vector<RoutedBisection> route_bisection(
       if (!routing.add_sources(next)) return steps;
       sources += next.size();
     }
-    RoutedBisection step = steps.back();
+    auto [at_least, reachable] = steps.back();
     const std::uint64_t bound = rounded_up(sources * (n / 2), routing.largest_load());
     // Edges carry at least the mean, so k sources with paths of length L in all give k (n / 2) m / L
     // at most (others are taken to give 5/4 of it), and K give K / k times what k of them gave.
-    step.reachable = std::min({step.reachable, rounded_up(bound * std::max(most, sources), sources),
-                               5 * (sources * (n / 2) * m / routing.length() + 1) / 4});
-    step.at_least = std::max(step.at_least, std::min(bound, step.reachable));
-    const std::uint64_t quarter = steps.size() > 2 ? steps.end()[-2].at_least : 0;
-    if (10 * step.at_least < 11 * quarter || sources >= most) step.reachable = step.at_least;
-    steps.push_back(step);
-  } while (steps.back().reachable > steps.back().at_least && is_worth(steps.back()));
+    reachable = std::min({reachable, rounded_up(bound * std::max(most, sources), sources),
+                          5 * (sources * (n / 2) * m / routing.length() + 1) / 4});
+    at_least = std::max(at_least, std::min(bound, reachable));
+    const std::uint64_t quarter = steps.size() > 2 ? steps.end()[-2].first : 0;
+    if (10 * at_least < 11 * quarter || sources >= most) reachable = at_least;
+    steps.emplace_back(at_least, reachable);
+  } while (steps.back().second > steps.back().first && is_worth(steps.back()));
   return steps;
 }
 
@@ -268,7 +268,7 @@ void seek_bisection(const Graph& graph, const Guarantee& guarantee, GraphNeeds& 
     return volume_at_least(with, guarantee);
   };
   const auto is_worth = [&](const RoutedBisection& found) {
-    return 49 * volume_with(found.reachable) > 50 * volume_with(found.at_least);
+    return 49 * volume_with(found.second) > 50 * volume_with(found.first);
   };
   auto& found = needs.bisections;
   auto last = std::find_if_not(found.begin(), found.end(), is_worth);
@@ -281,7 +281,7 @@ void seek_bisection(const Graph& graph, const Guarantee& guarantee, GraphNeeds& 
     found = route_bisection(graph, part, kMostVisits, is_worth);
     last = std::prev(found.end());
   }
-  needs.bisection = last->at_least;
+  needs.bisection = last->first;
 }
 
 std::int64_t volume_at_least(const GraphNeeds& needs, const Guarantee& guarantee) {

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ar3d/model/graph.h"
@@ -11,12 +11,8 @@
 
 namespace ar3d {
 
-/// Holds what a routing shows: a lower bound of the bisection width, and what more sources could
-/// make of it.
-struct RoutedBisection {
-  std::uint64_t at_least = 0;
-  std::uint64_t reachable = std::numeric_limits<std::uint64_t>::max();
-};
+/// What a routing shows: a lower bound of the bisection width, and what more sources could make of it.
+using RoutedBisection = std::pair<std::uint64_t, std::uint64_t>;
 
 /// Holds what docs/lower-bounds.md takes from a graph; equal for all algorithms.
 struct GraphNeeds {
