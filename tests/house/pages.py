@@ -106,7 +106,7 @@ class Installed(Page):
         self.expect((self.folder / "prefix/share/man/man1/ar3d.1").read_text(), "AR3D DRAW", "AR3D VIEW", "ar3d study run", "exact lattice coord")
         self.expect_completion("bash", "source prefix/share/bash-completion/completions/ar3d\nsay() { COMP_WORDS=(\"$@\"); "
                                        "COMP_CWORD=$(($# - 1)); _ar3d; printf '%s\\n' \"${COMPREPLY[@]}\"; }\n")
-        # The functions of zsh's completion system that are called, as far as they are needed here.
+#The functions of zsh's completion system that are called, as far as they are needed here.
         self.expect_completion("zsh", "_describe() { print -rl -- ${${(P)2}%%:*} }; _files() { print files }\n"
                                       "fpath=($PWD/prefix/share/zsh/site-functions $fpath); autoload -U _ar3d\n"
                                       "say() { words=(\"$@\"); CURRENT=$#; _ar3d }\n")
@@ -225,7 +225,8 @@ class Told(Page):
 
     def test_promised_and_drawn_is_what_the_report_of_the_committed_study_says(self):
         """results/reference/bounds.md has a line a setting of what the report has a line an axis of."""
-        tables = {name: [dict(zip((column["name"] for column in table["columns"]), row)) for row in table["rows"]]
+        tables = {
+name: [dict(zip((column["name"] for column in table["columns"]), row)) for row in table["rows"]]
                   for name, table in json.loads(self.report_of("1.0.0-bounds.h5", "--json"))["tables"].items()}
         labels = {"diamond (effort=0)": "`diamond`, effort 0", "grid-paper (spread=0;gap=0;cycle=0)": "`grid-paper`, `spread=0`",
                   "grid-paper (spread=2;gap=1;cycle=0)": "`grid-paper`, `spread=2`, `gap=1`"}
@@ -446,19 +447,24 @@ def routed_lines(growth=()):
         rows = rows[abs(rows["requested_n"].astype(int) - n) <= 1]  # a ladder to 1000 ends there or one before
         volumes = 2 ** rows["log2_volume"] / rows["n"] ** 1.5
         return f"{float(f'{np.median(volumes):.3g}'):,g}, {np.median(rows['cpu_s']):.2g} s" if len(rows) else "–"
+
+    def exponent(algorithm, options, family, quantity):
+        row = next(row for row in growth if (row["algorithm"], row["family"], row["quantity"]) == (algorithm, family, quantity)
+                   and row["options"].startswith(options))
+        return f"{float(row['exponent']):.2f} [{float(row['exponent_low']):.2f}, {float(row['exponent_high']):.2f}], {row['growth']}"
     lines = []
     settings = {"random-4-regular": [("routed", f"effort=1;bends={b}") for b in (3, 4, 5)] + [("diamond", "effort=2"), ("compact", "effort=2")],
                 "random-cubic": [("routed-120", f"effort=1;bends={b}") for b in (3, 4, 5)] + [("grid", "effort=1"), ("compact-120", "effort=2")]}
     for family, columns in settings.items():
         curves = [of(family, *column) for column in columns]
-        lines += [f"| {n:,} | {' | '.join(cell(rows, n) for rows in curves)} |" for n in np.unique(curves[-1]["requested_n"]).astype(int)]
-        lines += [f"| {family}, {quantity} | " + " | ".join(
-            next(f"{float(row['exponent']):.2f} [{float(row['exponent_low']):.2f}, {float(row['exponent_high']):.2f}], {row['growth']}"
-                 for row in growth if (row["algorithm"], row["family"], row["quantity"]) == (name, family, quantity)
-                 and row["options"].startswith(options)) for name, options in columns) + " |" for quantity in ("longest side", "volume") if growth]
+        lines += [f"| {n:,} | {' | '.join(cell(rows, n) for rows in curves)} |" for n in np.unique(curves[0]["requested_n"]).astype(int)]
+        lines += [f"| {family}, {quantity} | {' | '.join(exponent(name, options, family, quantity) for name, options in columns)} |"
+                  for quantity in ("longest side", "volume") if growth]
         algorithm = columns[0][0]
-        lines += [f"| {family}, {b} | {' | '.join(cell(of(family, algorithm, f'effort=0;bends={b}'), n) for n in (10, 100, 1000))} |"
+        lines += [f"| {family}, {b} | {' | '.join(cell(of(family, algorithm, f'effort=0;bends={b}'), n) for n in (10, 100, 1000, 3162, 10000))} |"
                   for b in (3, 5)]
+        lines += [f"| {family}, {b} | {exponent(algorithm, f'effort=0;bends={b}', family, 'longest side')} | "
+                  f"{exponent(algorithm, f'effort=0;bends={b}', family, 'volume')} |" for b in (3, 5) if growth]
     for family in np.unique(runs["family"]):
         name = family.decode()
         if name not in settings and name != "named":
@@ -466,7 +472,15 @@ def routed_lines(growth=()):
             lines += [f"| {name} | " + " | ".join(cell(of(name, a, f"effort=1;bends={b}"), 100) for a, b in kind) + " | "
                       + " | ".join(cell(of(name, a, "effort=1;bends=3"), 1000) for a in ("routed", "routed-120")) + " |"]
     named = runs[runs["family"] == b"named"]
-    names = {0: "K4", 1: "K5", 2: "K3,3", 3: "octahedron", 7: "Petersen", 15: "Heawood", 17: "tesseract", 23: "dodecahedron"}
+    names = {
+  0 : "K4",
+      1 : "K5",
+          2 : "K3,3",
+              3 : "octahedron",
+                  7 : "Petersen",
+                      15 : "Heawood",
+                           17 : "tesseract",
+                                23 : "dodecahedron"}
     for index, name in names.items():
         by_effort = named[named["parameters"] == f"index={index}".encode()]
         lines.append(f"| {name} | " + " | ".join(f"{2 ** row['log2_volume']:.0f}, {row['cpu_s']:.2g} s" for row in by_effort) + " |")
