@@ -66,7 +66,7 @@ CrossingTest crossing_test(const std::string& name) {
 }
 
 JudgedLine judge(const LineToJudge& task, const VerifyArguments& arguments) {
-  const auto& [placed, given] = task;
+  const auto& placed = task.first;
   if (const auto* undrawn = std::get_if<UndrawnGraph>(&placed.line)) {
     return {LineVerdict::not_drawn,
             fmt::format("{}: not drawn: {}\n", placed.where, undrawn->error)};
@@ -84,7 +84,7 @@ JudgedLine judge(const LineToJudge& task, const VerifyArguments& arguments) {
   try {
     const Guarantee promise = promise_of(drawing, arguments);
     const bool leaves_box_open = arguments.promise.bends && arguments.promise.box.empty();
-    const Graph graph = given ? *given : claimed_graph(drawing);
+    const Graph graph = task.second ? *task.second : claimed_graph(drawing);
     const Examination examination =
         examine(graph, drawing, promise, {.certificate = true, .metrics = false, .hash = false},
                 {.crossing_test = crossing_test(arguments.test),

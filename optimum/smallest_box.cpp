@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/optimum/encoding.h"
 #include "ar3d/verify/certificate.h"

@@ -77,7 +77,7 @@ PaddedNeighbours padded_neighbours(const Graph& graph, std::uint32_t threads) {
 
 BalancedOrientation balanced_orientation(const PaddedNeighbours& neighbours) {
   BalancedOrientation result;
-  auto& [out, in] = result;
+  auto &out = result[0], &in = result[1];
   out.assign(neighbours.size(), 0);
   in.assign(neighbours.size(), 0);
   const auto partner = [&](Port p) {
@@ -93,7 +93,7 @@ BalancedOrientation balanced_orientation(const PaddedNeighbours& neighbours) {
 
 TwoColouring two_colouring(const Graph& graph, const PaddedNeighbours& neighbours,
                            const BalancedOrientation& orientation) {
-  const auto& [out, in] = orientation;
+  const auto &out = orientation[0], &in = orientation[1];
   const auto partner = [&](Port p) {  // the other entry of the same direction
     const unsigned same = (out[p.v] & bit(p.entry)) ? out[p.v] : in[p.v];
     const unsigned other = same & ~unsigned{bit(p.entry)};

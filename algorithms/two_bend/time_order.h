@@ -59,8 +59,7 @@ unsigned count_closing_neighbours(const LocalGraph& graph, const LongVector<Vert
 /// with one earlier and two later neighbours.
 struct TimeOrder {
   LongVector<Vertex> list;
-  bool joint =
-      false;  ///< cubic and bridgeless: both ends of the list are such vertices, in one block
+  bool joint = false;  ///< cubic and bridgeless: both ends are such vertices, in one block
 };
 
 /// Steps 2.2 to 2.5: the root, the walk over the block tree, repairs of true
