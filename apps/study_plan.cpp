@@ -16,6 +16,7 @@
 #include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/run/estimate.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/bench/spec/study_spec.h"

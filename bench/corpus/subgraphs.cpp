@@ -1,9 +1,13 @@
 // Parts of a graph, their vertices numbered anew.
+#include <boost/graph/breadth_first_search.hpp>
+#include <boost/graph/two_bit_color_map.hpp>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "ar3d/bench/corpus/corpus.h"
+#include "ar3d/model/boost_graph.h"
 
 namespace ar3d {
 namespace {
@@ -35,18 +39,14 @@ Graph breadth_first_piece(const Graph& graph, std::uint64_t n) {
   if (n >= graph.num_vertices()) return graph;
   std::vector<Vertex> new_name(graph.num_vertices(), kAbsent);
   std::vector<Vertex> found;
-  std::vector<bool> is_found(graph.num_vertices());
-  const auto find = [&](Vertex v) {
-    if (is_found[v]) return;
-    is_found[v] = true;
-    found.push_back(v);
-  };
-  std::size_t next = 0;
+  const auto find = boost::make_bfs_visitor(boost::write_property(
+      boost::identity_property_map(), std::back_inserter(found), boost::on_discover_vertex()));
+  auto colours =
+      boost::make_two_bit_color_map(graph.num_vertices(), boost::identity_property_map());
   for (Vertex start = 0; found.size() < n; ++start) {
-    find(start);
-    for (; next < found.size() && found.size() < n; ++next) {
-      for (const HalfEdge& half : graph.incident(found[next])) find(half.to);
-    }
+    if (get(colours, start) != boost::two_bit_white) continue;
+    boost::queue<Vertex> waiting;
+    boost::breadth_first_visit(graph, start, waiting, find, colours);
   }
   for (Vertex name = 0; name < n; ++name) new_name[found[name]] = name;
   return renamed(graph, new_name, static_cast<Vertex>(n));

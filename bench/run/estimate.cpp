@@ -1,5 +1,7 @@
 // Tells before a study begins what it will cost. Small sizes are drawn in processes of their own,
 // with limits; larger sizes follow by a power law.
+#include "ar3d/bench/run/estimate.h"
+
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -14,7 +16,6 @@
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/row_maker.h"
-#include "ar3d/bench/run/session.h"
 
 namespace ar3d {
 namespace {
@@ -139,7 +140,7 @@ CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std
   };
   const std::uint64_t size = calibration_size(largest);
   const RowCosts small = measured(smaller(size));
-  const bool is_slow = small.row_s > kSlow_s;  // then exponents grow with n, far beyond its size
+  const bool is_slow = small.row_s > kSlow_s;  // its exponents are larger at larger sizes
   if (is_slow && largest > size) return model_through(small, measured(2 * smaller(size)));
   if (is_slow) return model_through(measured(smaller(smaller(size))), small);
   const auto n_of = [&](std::uint64_t wanted) {

@@ -1,6 +1,7 @@
+#include "ar3d/bench/run/estimate.h"
+
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/bench/run/session.h"
 #include "support/parts.h"
 #include "support/problem.h"
 #include "support/test.h"
