@@ -227,7 +227,7 @@ Drawing squeezed(const Graph& graph, Drawing drawing) {
   std::int64_t length = 0;
   for (std::size_t s = 0; s < lines.segments.size(); ++s) length += steps_of(lines.difference(s));
   const auto extents = bounding_box(drawing).extents();
-  if (length > kMostSqueezed || *std::ranges::max_element(extents) >= kLongest) return drawing;
+  if (length > kMostSqueezed || std::ranges::max(extents) >= kLongest) return drawing;
   for (Volume before = 0, now = volume_of(extents); 100 * now < 99 * before || before == 0;) {
     before = now;
     for (const Vector& diagonal : kDiagonals) {

@@ -45,7 +45,13 @@ AR3D_COMPARING(sort)
 AR3D_COMPARING(stable_sort)
 AR3D_COMPARING(is_sorted)
 AR3D_COMPARING(min_element)
+AR3D_COMPARING(max_element)
 #undef AR3D_COMPARING
+
+template <class Range>
+auto max(Range&& range) {
+  return *max_element(range);
+}
 
 #define AR3D_ASKING(name)                                                                         \
   template <class Range, class Predicate, class Projection = identity>                            \
