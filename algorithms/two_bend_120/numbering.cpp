@@ -39,7 +39,7 @@ class StNumbering {
     }
     for (const HalfEdge& half : graph_[top]) result.order.push_back(half.to);
     result.order.push_back(top);
-    result.forks = forks(result.order);
+    name_by_order(result);
     return result;
   }
 
@@ -106,21 +106,20 @@ class StNumbering {
     return true;
   }
 
-  std::vector<Fork> forks(const std::vector<Vertex>& order) const {
-    std::vector<Vertex> height(order.size());
-    for (Vertex i = 0; i < order.size(); ++i) height[order[i]] = i;
-    std::vector<Fork> forks(order.size());
-    for (Vertex v = 0; v < order.size(); ++v) {
-      std::array<Vertex, 3> near{graph_[v][0].to, graph_[v][1].to, graph_[v][2].to};
-      std::sort(near.begin(), near.end(),
-                [&](Vertex x, Vertex y) { return height[x] < height[y]; });
-      const bool opens_up = height[near[1]] > height[v];
-      forks[v] = opens_up ? Fork{true, near[0], {near[1], near[2]}}
-                          : Fork{false, near[2], {near[0], near[1]}};
+  void name_by_order(ForkOrder& result) const {
+    std::vector<Vertex> index(graph_.size());
+    for (Vertex i = 0; i < index.size(); ++i) index[result.order[i]] = i;
+    for (Vertex i = 0; i < index.size(); ++i) {
+      auto near = graph_[result.order[i]];
+      for (HalfEdge& half : near) half.to = index[half.to];
+      result.graph.push_back(near);
+      std::ranges::sort(near, {}, &HalfEdge::to);
+      const auto [low, middle, high] = std::array{near[0].to, near[1].to, near[2].to};
+      result.forks.push_back(middle > i ? Fork{true, low, {middle, high}}
+                                        : Fork{false, high, {low, middle}});
     }
-    forks[order.front()] = {true, kNoVertex, {}};
-    forks[order.back()] = {false, kNoVertex, {}};
-    return forks;
+    result.forks.front() = {true, kNoVertex, {}};
+    result.forks.back() = {false, kNoVertex, {}};
   }
 
   const CubicGraph& graph_;

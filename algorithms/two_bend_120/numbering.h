@@ -17,12 +17,13 @@ struct Fork {
 };
 
 /// The vertices from the bottom S to the top T, so that each of the others is a fork. S and its
-/// neighbours come first, T and its neighbours last; no neighbour of S is one of T or T itself.
+/// neighbours come first, T and its neighbours last, these in the order of their slots; no neighbour
+/// of S is one of T or T itself.
 struct ForkOrder {
   std::vector<Vertex> order;
-  std::vector<Fork> forks;  ///< by vertex; S opens up, T down, and neither has a stem or prongs
-  Vertex bottom() const { return order.front(); }
-  Vertex top() const { return order.back(); }
+  // Named by their index in the order:
+  CubicGraph graph;
+  std::vector<Fork> forks;  ///< S opens up, T down, and neither has a stem or prongs
 };
 
 /// Step F.3: S, T and the numbering, by trial of the ends in a fixed order, until one is accepted or
@@ -34,8 +35,8 @@ struct ForkOrder {
 std::optional<ForkOrder> find_numbering(const CubicGraph& graph,
                                         const std::function<bool(const ForkOrder&)>& accepts);
 
-/// The two orders of Lemma F.4: the vertices but S and T, ascending by a and by b. Of a D and the
-/// U above it, which have equal a and equal b, only the D is listed.
+/// The two orders of Lemma F.4: the forks but S and T, ascending by a and by b. Of a D and the U
+/// above it, which have equal a and equal b, only the D is listed.
 struct Orders {
   std::vector<Vertex> a, b;
 };
@@ -43,6 +44,6 @@ struct Orders {
 /// Step F.4: orders that keep the conditions 1 to 4.
 /// @return nothing if none are found, which needs two edges that cut the graph.
 /// Cost: O(n log n).
-std::optional<Orders> find_orders(const CubicGraph& graph, const ForkOrder& numbering);
+std::optional<Orders> find_orders(const std::vector<Fork>& forks);
 
 }  // namespace ar3d::two_bend_120

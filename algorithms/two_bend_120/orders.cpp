@@ -20,11 +20,11 @@ namespace {
 class NestedOrder {
  public:
   /// @param outer  the neighbours of the root in their order.
-  NestedOrder(const ForkOrder& numbering, bool for_a, std::array<Vertex, 3> outer)
-      : forks_(numbering.forks),
+  NestedOrder(const std::vector<Fork>& forks, bool for_a, std::array<Vertex, 3> outer)
+      : forks_(forks),
         for_a_(for_a),
-        root_(for_a ? numbering.top() : numbering.bottom()),
         size_(static_cast<Vertex>(forks_.size())),
+        root_(for_a ? size_ - 1 : 0),
         dominators_(size_),
         insertions_(std::size_t{2} * size_),
         inserted_(std::size_t{2} * size_),
@@ -32,10 +32,7 @@ class NestedOrder {
         ends_(size_, {kNone, kNone}),
         reversed_(size_) {
     start(outer);
-    const auto& order = numbering.order;
-    for (std::size_t i = 4; i + 1 < order.size(); ++i) {
-      sweep(for_a ? order[order.size() - 1 - i] : order[i]);
-    }
+    for (Vertex i = 4; i + 1 < size_; ++i) sweep(for_a ? size_ - 1 - i : i);
   }
 
   /// For a splitter: the owner of the list in which it and its prongs are.
@@ -91,8 +88,8 @@ class NestedOrder {
 
   const std::vector<Fork>& forks_;
   bool for_a_;
-  Vertex root_;
   Vertex size_;
+  Vertex root_;
   GrowingTree dominators_;
   GrowingTree insertions_;  // of items: each below the one beside which it was inserted
   std::vector<std::pair<std::uint32_t, bool>> inserted_;  // per item: when, and whether after
@@ -176,12 +173,11 @@ bool NestedOrder::before(Item x, Item y) const {
 /// For every inner vertex: whether its first prong has the larger value, in a for a U and in b for
 /// a D. A chain of vertices whose directions hang together is followed to one that is known, or
 /// around. @return nothing if one that goes around does not agree with itself.
-std::optional<std::vector<bool>> directions(const ForkOrder& numbering, const NestedOrder& a,
+std::optional<std::vector<bool>> directions(const std::vector<Fork>& forks, const NestedOrder& a,
                                             const NestedOrder& b) {
-  const auto& forks = numbering.forks;
   const auto order_of = [&](Vertex v) -> const NestedOrder& { return forks[v].opens_up ? a : b; };
   std::vector<bool> backwards(forks.size()), known(forks.size()), met(forks.size());
-  known[numbering.bottom()] = known[numbering.top()] = true;
+  known.front() = known.back() = true;
   std::vector<Vertex> chain;
   for (Vertex begin = 0; begin < forks.size(); ++begin) {
     Vertex v = begin;
@@ -218,19 +214,20 @@ Vertex median(const NestedOrder& order, const std::vector<bool>& backwards,
 
 }  // namespace
 
-std::optional<Orders> find_orders(const CubicGraph& graph, const ForkOrder& numbering) {
-  const auto neighbours = [&](Vertex v, std::size_t middle) {
+std::optional<Orders> find_orders(const std::vector<Fork>& forks) {
+  const auto neighbours = [](Vertex first, std::size_t middle) {
     std::array<Vertex, 3> near{};
-    for (std::size_t i = 0; i < 3; ++i) near[(i + 4 - middle) % 3] = graph[v][i].to;
+    for (Vertex i = 0; i < 3; ++i) near[(i + 4 - middle) % 3] = first + i;
     return near;
   };
   std::array<std::optional<NestedOrder>, 3> a, b;
   for (std::size_t trial = 0; trial < 9; ++trial) {  // Lemma F.6: one of them does
     const std::size_t i = trial / 3, j = trial % 3;
-    const auto above = neighbours(numbering.top(), i), below = neighbours(numbering.bottom(), j);
-    if (!a[i]) a[i].emplace(numbering, true, above);
-    if (!b[j]) b[j].emplace(numbering, false, below);
-    const auto backwards = directions(numbering, *a[i], *b[j]);
+    const auto above = neighbours(static_cast<Vertex>(forks.size()) - 4, i);
+    const auto below = neighbours(1, j);
+    if (!a[i]) a[i].emplace(forks, true, above);
+    if (!b[j]) b[j].emplace(forks, false, below);
+    const auto backwards = directions(forks, *a[i], *b[j]);
     if (!backwards) continue;
     if (median(*b[j], *backwards, above) == above[1]) continue;
     if (median(*a[i], *backwards, below) == below[1]) continue;

@@ -25,15 +25,14 @@ struct End {
 
 class Placer {
  public:
-  Placer(const CubicGraph& graph, const ForkOrder& numbering, const Orders& orders,
-         const Reach& reach)
-      : graph_(graph), numbering_(numbering), forks_(numbering.forks), reach_(reach) {
-    a_.resize(graph.size());
-    b_.resize(graph.size());
+  Placer(const ForkOrder& numbering, const Orders& orders, const Reach& reach)
+      : graph_(numbering.graph), forks_(numbering.forks), reach_(reach) {
+    a_.resize(graph_.size());
+    b_.resize(graph_.size());
     number(orders.a, a_);
     number(orders.b, b_);
-    top_ = end(numbering.top(), b_, a_);
-    bottom_ = end(numbering.bottom(), a_, b_);
+    top_ = end(static_cast<Vertex>(graph_.size()) - 1, b_, a_);
+    bottom_ = end(0, a_, b_);
   }
 
   ForkPlaces run(const Orders& orders) {
@@ -92,8 +91,7 @@ class Placer {
 
   void set_stars() {
     result_.stars.resize(graph_.size());
-    for (Vertex v = 0; v < graph_.size(); ++v) {
-      if (v == top_.vertex || v == bottom_.vertex) continue;
+    for (Vertex v = 1; v + 1 < graph_.size(); ++v) {
       const auto [less, more] = prongs(v);
       const bool up = forks_[v].opens_up;
       star(v, forks_[v].stem) = up ? -k14 : k14;
@@ -111,8 +109,7 @@ class Placer {
 
   /// Lemma F.8: the drawing of a U is in the plane of its b, that of a D in the plane of its a.
   void reserve_for_forks(Margins& in_a, Margins& in_b) const {
-    for (Vertex v = 0; v < graph_.size(); ++v) {
-      if (v == top_.vertex || v == bottom_.vertex) continue;
+    for (Vertex v = 1; v + 1 < graph_.size(); ++v) {
       const auto [less, more] = prongs(v);
       (forks_[v].opens_up ? in_a : in_b)[v] = {reach(v, less), reach(v, more)};
       // The lists name the D of two joined vertices.
@@ -177,7 +174,7 @@ class Placer {
   void set_heights() {
     result_.at.resize(graph_.size());
     std::int64_t height = 0, above = 0;
-    for (const Vertex v : numbering_.order) {
+    for (Vertex v = 0; v < graph_.size(); ++v) {
       const auto [down, up] = slab(v);
       height += above + down + 1;
       above = up;
@@ -186,7 +183,6 @@ class Placer {
   }
 
   const CubicGraph& graph_;
-  const ForkOrder& numbering_;
   const std::vector<Fork>& forks_;
   const Reach& reach_;
   Values a_, b_;
@@ -196,9 +192,8 @@ class Placer {
 
 }  // namespace
 
-ForkPlaces place(const CubicGraph& graph, const ForkOrder& numbering, const Orders& orders,
-                 const Reach& reach) {
-  return Placer(graph, numbering, orders, reach).run(orders);
+ForkPlaces place(const ForkOrder& numbering, const Orders& orders, const Reach& reach) {
+  return Placer(numbering, orders, reach).run(orders);
 }
 
 }  // namespace ar3d::two_bend_120

@@ -49,9 +49,8 @@ struct ForkPlaces {
 };
 
 /// Step F.5: stars, a, b and heights. Cost: O(n).
-/// @param reach  all 1 for vertices that are drawn as points.
-ForkPlaces place(const CubicGraph& graph, const ForkOrder& numbering, const Orders& orders,
-                 const Reach& reach);
+/// @param reach  by index in the numbering, as the result; all 1 for vertices that are drawn as points.
+ForkPlaces place(const ForkOrder& numbering, const Orders& orders, const Reach& reach);
 
 /// A finished drawing with at most two bends per edge, along face diagonals.
 struct SmallCore {

@@ -117,7 +117,7 @@ class Painter {
   void draw(const Core& core) {
     std::optional<Orders> orders;
     const auto numbering = find_numbering(core.graph, [&](const ForkOrder& found) {
-      orders = find_orders(core.graph, found);
+      orders = find_orders(found.forks);
       return orders.has_value();
     });
     if (numbering) {
@@ -135,33 +135,39 @@ class Painter {
 
   /// Steps F.5 and F.6.
   void draw_by_orders(const Core& core, const ForkOrder& numbering, const Orders& orders) {
-    const ForkPlaces placement = place(core.graph, numbering, orders, core.reach);
-    for (Vertex v = 0; v < core.graph.size(); ++v) {
-      set_place(core.nodes[v], Point{} + to_grid(placement.at[v]));
+    std::vector<Vertex> nodes;
+    Reach reach;
+    for (const Vertex v : numbering.order) {
+      nodes.push_back(core.nodes[v]);
+      reach.push_back(core.reach[v]);
+    }
+    const CubicGraph& graph = numbering.graph;
+    const ForkPlaces placement = place(numbering, orders, reach);
+    for (Vertex v = 0; v < nodes.size(); ++v) {
+      set_place(nodes[v], Point{} + to_grid(placement.at[v]));
       for (std::size_t i = 0; i < 3; ++i) {
-        set_star(core.nodes[v], i, grid_direction(placement.stars[v][i]));
+        set_star(nodes[v], i, grid_direction(placement.stars[v][i]));
       }
     }
-    for (Vertex v = 0; v < core.graph.size(); ++v) {
-      for (const HalfEdge& half : core.graph[v]) {
-        // Upwards, so that each edge is drawn once.
+    for (Vertex v = 0; v < nodes.size(); ++v) {
+      for (const HalfEdge& half : graph[v]) {
+        if (half.to < v) continue;  // upwards, so that each edge is drawn once
         const FourVector& from = placement.at[v];
         const FourVector& to = placement.at[half.to];
-        if (from[3] < to[3]) continue;
         FourVector sum{};
         for (std::size_t i = 0; i < 4; ++i) sum[i] = to[i] - from[i];
         const auto star = [&](Vertex w) {
-          return placement.stars[w][slot_of(core.graph[w], half.edge)];
+          return placement.stars[w][slot_of(graph[w], half.edge)];
         };
         const auto [directions, lengths] = find_word(star(v), -star(half.to), sum);
         Bends bends;
-        Point p = at_[core.nodes[v]];
+        Point p = Point{} + to_grid(from);
         for (std::size_t i = 0; i < 2; ++i) {
           if (lengths[i] == 0) continue;
           p = p + lengths[i] * grid_direction(directions[i]);
           bends.push_back(p);
         }
-        set_bends(half.edge, core.nodes[v], bends);
+        set_bends(half.edge, nodes[v], bends);
       }
     }
   }
