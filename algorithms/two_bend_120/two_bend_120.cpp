@@ -141,7 +141,6 @@ class Painter {
       nodes.push_back(core.nodes[v]);
       reach.push_back(core.reach[v]);
     }
-    const CubicGraph& graph = numbering.graph;
     const ForkPlaces placement = place(numbering, orders, reach);
     for (Vertex v = 0; v < nodes.size(); ++v) {
       set_place(nodes[v], Point{} + to_grid(placement.at[v]));
@@ -150,14 +149,14 @@ class Painter {
       }
     }
     for (Vertex v = 0; v < nodes.size(); ++v) {
-      for (const HalfEdge& half : graph[v]) {
+      for (const HalfEdge& half : numbering.graph[v]) {
         if (half.to < v) continue;  // upwards, so that each edge is drawn once
         const FourVector& from = placement.at[v];
         const FourVector& to = placement.at[half.to];
         FourVector sum{};
         for (std::size_t i = 0; i < 4; ++i) sum[i] = to[i] - from[i];
         const auto star = [&](Vertex w) {
-          return placement.stars[w][slot_of(graph[w], half.edge)];
+          return placement.stars[w][slot_of(numbering.graph[w], half.edge)];
         };
         const auto [directions, lengths] = find_word(star(v), -star(half.to), sum);
         Bends bends;
