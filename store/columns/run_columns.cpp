@@ -22,9 +22,9 @@ void identity_columns(RecordPass& c, Run& r) {
   c.next_are(ColumnKind::instance, true);
   c.text("family", 48, r.family, "family of graphs");
   c.text("parameters", 128, r.parameters, "the family's parameters, complete, in catalogue order");
-  c.number("requested_n", "1", r.requested_n, "number of vertices that the study asked for");
-  c.number("n", "1", r.n, "number of vertices");
-  c.number("m", "1", r.m, "number of edges");
+  c.number("requested_n", "1", r.requested_n, "vertices that the study asked for");
+  c.number("n", "1", r.n, "vertices");
+  c.number("m", "1", r.m, "edges");
   c.number("instance_index", "1", r.instance_index,
            "0, 1, ...: which instance of (family, parameters, requested_n)");
   c.number("seed", "", r.seed, "the generator's seed of this instance");
@@ -55,10 +55,10 @@ void result_columns(RecordPass& c, Run& r) {
   c.number("violations", "1", r.violations,
            "violations of the guarantee that the certificate lists; 0 is proved right");
   c.text("certificate", 16, r.certificate,
-         "how it was judged: empty for exact (a proof), else measured or none: not proved; in "
-         "results of 0.2.0 also filtered, double and sample=K");
+         "empty if it is a proof; measured or none: not proved; in results of 0.2.0 also filtered, "
+         "double and sample=K");
   c.array("instance_bound", "lattice units", r.instance_bound, kAxes,
-          "extent that the proof promises for this very instance");
+          "extent that the proof promises for this instance");
   c.text("counters", 512, r.counters, "what the algorithm tells about its run, name=value;...");
 }
 
@@ -144,7 +144,7 @@ void time_columns(RecordPass& c, Run& r) {
   c.number("metrics_s", "s", r.metrics_s, "wall time of the drawing's metrics and hash");
   c.number("write_s", "s", r.write_s, "wall time of formatting the drawing as JSON lines");
   c.number("concurrency", "1", r.concurrency, "rows that this study makes at the same time");
-  c.number("core", "1", r.core, "core that the row was pinned to; missing if none");
+  c.number("core", "1", r.core, "core that the row was pinned to");
   c.number("warm_ups", "1", r.warm_ups, "drawings of the graph just before, thrown away");
   c.array("", "s", r.yardsticks_s, kYardstickColumns,
           "CPU time of a yardstick near the row, which tells how fast the machine was");

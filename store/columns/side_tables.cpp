@@ -127,7 +127,7 @@ bool columns_of(RecordPass& c, CollectedFile& record) {
   c.text("group", 48, record.group, "in rows");
   c.next_are(ColumnKind::run, true);
   c.text("hash", 32, record.hash, "XXH3-128 of its graphs in order");
-  c.number("first", "1", record.first, "place of its first graph");
+  c.number("first", "1", record.first, "index of its first graph");
   c.number("graphs", "1", record.graphs, "graphs in it");
   return true;
 }

@@ -27,7 +27,7 @@ TEST(Columns, NamesAreUniqueAndDescribed) {
   EXPECT_TRUE(names.contains("extent_z"));
 }
 
-// A table as the schema page shows it: columns that differ in their names alone share a line, and of
+// A table as the schema page lists it: columns that differ in their names alone share a line, and of
 // metrics it names their table.
 std::string shown(const StoredTable& table) {
   std::vector<std::pair<std::string, std::string>> lines;  // names and what they have in common
@@ -36,25 +36,25 @@ std::string shown(const StoredTable& table) {
         fmt::format("`{}`{}", column.name, column.kind == ColumnKind::instance ? " *" : "");
     constexpr const char* kTypes[] = {"text", "int64", "uint64", "float64"};
     std::string type = kTypes[static_cast<std::size_t>(column.type)];
-    const bool is_text = column.type == ColumnType::text;
-    if (is_text && column.size > 1) type += fmt::format(", {} bytes", column.size);
-    std::string rest = fmt::format(" | {} | {} | {} |\n", type,
-                                   column.unit == "1" ? "" : column.unit, column.meaning);
+    if (type == "text" && column.size > 1) type += fmt::format("[{}]", column.size);
+    if (!column.unit.empty() && column.unit != "1") type += ", " + column.unit;
+    std::string rest = fmt::format(" ({}): {}\n", type, column.meaning);
     if (column.kind == ColumnKind::metric) {
       name = "the metrics: extents, volume, bends, lengths, …";
-      rest =
-          " | int64 or float64 | | `ar3d list metrics` prints name, type, unit and definition of "
-          "each, in this order: the table of `verify/metrics/metrics.h` |\n";
+      rest = " (int64 or float64): `ar3d list metrics` prints all in this order\n";
     }
     const auto same = std::ranges::find(lines, rest, &std::pair<std::string, std::string>::second);
     if (same == lines.end()) {
       lines.emplace_back(name, rest);
+    } else if (std::string& names = same->first; name.ends_with("_y`") || name.ends_with("_z`")) {
+      const std::size_t stem = names.find(name.substr(0, name.size() - 2));  // after its _x
+      names.insert(names.find('`', stem + 1), fmt::format("/{}", name[name.size() - 2]));
     } else if (column.kind != ColumnKind::metric) {
-      same->first += ", " + name;
+      names += ", " + name;
     }
   }
-  std::string page = "| column | type | unit | meaning |\n|---|---|---|---|\n";
-  for (const auto& [names, rest] : lines) page += "| " + names + rest;
+  std::string page;
+  for (const auto& [names, rest] : lines) page += "- " + names + rest;
   return page;
 }
 
