@@ -192,7 +192,7 @@ class Told(Page):
             for name in algorithms.split():
                 cell = cells("README.md", f"[`{name}`]")
                 self.assertEqual(len(cell), 4, "five columns")
-                family = b"random-4-regular" if "up to 4" in cell[0] else b"random-cubic"
+                family = b"random-4-regular" if "≤ 4" in cell[0] else b"random-cubic"
                 usual = [options for options in set(rows["options"]) if re.match(rb"effort=1(;bends=3|$)", options)]
                 mine = rows[(rows["algorithm"] == name.encode()) & (rows["family"] == family) & np.isin(rows["options"], usual)]
                 mine = mine[abs(mine["n"] / n - 1) < 0.01]  # a ladder to 1000 ends just before
