@@ -15,9 +15,6 @@
 namespace ar3d {
 namespace {
 
-/// The names of BoundShare.
-constexpr const char* kMeasures[] = {"side", "x", "y", "z", "volume"};
-
 void add_subject_options(CLI::App& verb, HuntArguments& arguments) {
   verb.add_option(
       "--algorithm", arguments.algorithm,
@@ -26,7 +23,7 @@ void add_subject_options(CLI::App& verb, HuntArguments& arguments) {
                   "a specification whose [[algorithm]] the algorithm may be: a program of yours");
   verb.add_option("--measure", arguments.measure,
                   "whose share of the bound counts: x, y, z, side (the largest of them) or volume")
-      ->check(one_of({std::begin(kMeasures), std::end(kMeasures)}));
+      ->check(one_of({std::begin(kShares), std::end(kShares)}));
   verb.add_option("--bound", arguments.against, "theorem, or instance: the proof's for this graph")
       ->check(one_of({"theorem", "instance"}));
   verb.add_option("--seeded-fault", arguments.seeded_fault,
@@ -90,8 +87,7 @@ Subject subject_of(const HuntArguments& arguments) {
   Subject subject;
   subject.choice = algorithm_choice(spec, arguments.algorithm, parse_settings(arguments.settings));
   if (!arguments.seeded_fault.empty()) subject.fault = &find_seeded_fault(arguments.seeded_fault);
-  const auto at = std::ranges::find(kMeasures, arguments.measure);
-  subject.measure = static_cast<BoundShare>(at - std::begin(kMeasures));
+  subject.measure = arguments.measure;
   subject.against_instance = arguments.against == "instance";
   return subject;
 }
@@ -192,8 +188,10 @@ int shrink_and_show(HuntArguments arguments) {
   }
   refuse_unshrinkable(least, arguments);
   const std::string failure = least.failure;
-  const ShrinkResult result = shrink(
-      graph,
+  Graph small = graph;
+  std::uint64_t left = arguments.most_drawings;
+  const bool is_minimal = shrink(
+      small,
       [&](const Graph& candidate) {
         Trial trial;
         try {
@@ -207,14 +205,13 @@ int shrink_and_show(HuntArguments arguments) {
         if (keeps) least = std::move(trial);
         return keeps;
       },
-      arguments.most_drawings);
+      left);
+  const std::uint64_t drawings = arguments.most_drawings - left;
   nlohmann::ordered_json json = trial_json(least, arguments);
-  json.update({{"evaluations", result.evaluations}, {"minimal", result.minimal}});
+  json.update({{"evaluations", drawings}, {"minimal", is_minimal}});
   tell(json, "{} of {} vertices and {} of {} edges are left after {} drawings{}\n{}",
-       result.graph.num_vertices(), graph.num_vertices(), result.graph.num_edges(),
-       graph.num_edges(), result.evaluations,
-       result.minimal ? "; none can go" : "; the evaluations ran out",
-       trial_text(least, arguments));
+       small.num_vertices(), graph.num_vertices(), small.num_edges(), graph.num_edges(), drawings,
+       is_minimal ? "; none can go" : "; the evaluations ran out", trial_text(least, arguments));
   write_exhibit(least, arguments);
   return exit_code_of(least);
 }

@@ -199,12 +199,12 @@ class OptimumRun {
          .name = fmt::format("{}", number_),
          .should_stop =
              [&] {
-               if (!solving.empty() && since_told.wall_s() >= 1) {
+               if (!solving.empty() && since_told.seconds() >= 1) {
                  note(stderr, "{}\n", std::exchange(solving, ""));
-                 since_told = {};
+                 since_told = Stopwatch();
                }
                return is_interrupted() ||
-                      (arguments_.seconds && time.wall_s() > *arguments_.seconds);
+                      (arguments_.seconds && time.seconds() > *arguments_.seconds);
              },
          .on_formula =
              [&](const FormulaRecord& formula) {
@@ -212,7 +212,7 @@ class OptimumRun {
                    fmt::format("{}: box {}: {} points, {} clauses", answer.graph,
                                optimum::to_string(formula.box), formula.points, formula.clauses);
              }});
-    answer.seconds = time.wall_s();
+    answer.seconds = time.seconds();
     tell(answer);
   }
 

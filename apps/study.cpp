@@ -91,7 +91,7 @@ int conclude(const JournaledStudy& study, Rows made, bool force, bool unchanged)
   tell(json, "{}", summary(verdict));
   note(stdout, "results  {}\n", study.results);
   const bool is_timed = std::ranges::any_of(
-      study.spec.sweeps, [](const Sweep& sweep) { return sweep.timed.most > 0; });
+      study.spec.sweeps, [](const Sweep& sweep) { return sweep.most_timed > 0; });
   if (!is_timed) {
     note(stdout, "times    not measured: --timed N does\n");
   }

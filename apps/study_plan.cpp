@@ -13,6 +13,7 @@
 #include "ar3d/analysis/table.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/plan/plan.h"
@@ -154,7 +155,8 @@ std::string left_out_families(const StudyPlan& plan) {
 
 // What the machine cannot give: batches of more threads than there are cores to run on.
 std::string crowded_batches(const StudyPlan& plan) {
-  const auto cores = static_cast<std::int64_t>(usable_cores());
+  const std::size_t allowed = std::max<std::size_t>(1, allowed_cores().size());
+  const auto cores = static_cast<std::int64_t>(std::min<std::size_t>(allowed, quota_threads()));
   std::int64_t most = 0;
   for (const PlannedBlock& block : plan.instances.blocks()) {
     for (const PlannedRun& run : block.first.runs) {

@@ -23,7 +23,7 @@ std::int64_t planned_rows(const std::string& file, const StudyIdentity& identity
   const JournaledStudy study = begun_study(file);
   const bool is_open =
       std::any_of(study.spec.sweeps.begin(), study.spec.sweeps.end(),
-                  [](const Sweep& sweep) { return sweep.timed.least < sweep.timed.most; });
+                  [](const Sweep& sweep) { return sweep.least_timed < sweep.most_timed; });
   if (!is_open) return identity.planned_rows;
   const StudyOutcome outcome = outcome_so_far(study);
   return static_cast<std::int64_t>(outcome.rows + outcome.missing);

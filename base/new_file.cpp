@@ -200,9 +200,8 @@ void remove_leftovers(const std::string& path) {
     const Descriptor file(open(at->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     struct stat status {};
     const bool is_file = fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode);
-    struct stat named {};  // a second name of the target itself, which may be locked
-    const bool is_target = stat(target.c_str(), &named) == 0 && named.st_dev == status.st_dev &&
-                           named.st_ino == status.st_ino;
+    const bool is_target =
+        has_its_name(file.get(), target);  // its second name, which may be locked
     if (is_file && (is_target || lock(file.get()))) unlink(at->path().c_str());
   }
 }

@@ -6,15 +6,18 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <omp.h>
+#include <poll.h>
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -190,6 +193,30 @@ bool receive_all(int socket, std::span<char> bytes) {
   return in_pieces(bytes.size(), [&](std::size_t done) {
            return recv(socket, bytes.data() + done, bytes.size() - done, 0);
          }) == bytes.size();
+}
+
+bool receive_within(int socket, std::span<char> bytes, double& left_s,
+                    const std::function<bool()>& stop) {
+  using Clock = std::chrono::steady_clock;
+  while (!bytes.empty()) {
+    if (left_s <= 0 || (stop && stop())) return false;
+    const auto before = Clock::now();
+    pollfd event{socket, POLLIN, 0};
+    poll(&event, 1, static_cast<int>(1000 * std::min(left_s, 1.0)) + 1);
+    left_s -= std::min(std::chrono::duration<double>(Clock::now() - before).count(), 2.0);
+    const ssize_t got = recv(socket, bytes.data(), bytes.size(), MSG_DONTWAIT);
+    if (got < 0 && (errno == EAGAIN || errno == EINTR)) continue;
+    if (got <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+  }
+  return true;
+}
+
+bool has_its_name(int descriptor, const std::string& path) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(descriptor, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
 double address_space_bytes() {

@@ -27,6 +27,13 @@ std::size_t read_whole(int descriptor, std::span<char> bytes, std::uint64_t offs
 /// Does the same through a socket. @return false if the other side is gone.
 bool send_all(int socket, std::span<const char> bytes);
 bool receive_all(int socket, std::span<char> bytes);
+/// Does so in the time that is left. A long step counts two seconds: in it this process was stopped,
+/// and the other side with it. @return false, too, once none is left or `stop` says so.
+bool receive_within(int socket, std::span<char> bytes, double& left_s,
+                    const std::function<bool()>& stop = {});
+
+/// Returns false if the file or folder was removed, or another one has its name, since it was opened.
+bool has_its_name(int descriptor, const std::string& path);
 
 /// Returns the bytes of a plain value, to be sent or received.
 template <class Value>

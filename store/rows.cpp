@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/hdf5/results_file.h"
@@ -150,78 +151,77 @@ void Rows::index_rows() {
   }
   std::stable_sort(index_.begin(), index_.end(),
                    [](const FiledRow& a, const FiledRow& b) { return a.key < b.key; });
-  std::vector<std::pair<FiledRow, FiledRow>> equal_keys;  // the row that is kept, one that is not
-  const auto same = [&equal_keys](const FiledRow& a, const FiledRow& b) {
-    if (a.key == b.key) equal_keys.emplace_back(a, b);
-    return a.key == b.key;
-  };
+  std::vector<std::pair<std::size_t, std::size_t>>
+      equal_keys;  // the row that is kept, one that is not
+  for (std::size_t i = 1, kept = 0; i < size_; ++i) {
+    if (index_[i].key != index_[kept].key) {
+      kept = i;
+    } else {
+      equal_keys.emplace_back(kept, i);
+    }
+  }
+  std::ranges::sort(equal_keys, {},
+                    [this](const auto& rows) { return index_[rows.second].in_files(); });
+  for (const auto& [kept, other] : equal_keys) require_equal(kept, other);
+  const auto same = [](const FiledRow& a, const FiledRow& b) { return a.key == b.key; };
   index_.erase(std::unique(index_.begin(), index_.end(), same), index_.end());
   size_ = index_.size();
-  std::ranges::sort(equal_keys, {}, [](const auto& rows) { return rows.second.in_files(); });
-  for (const auto& [kept, other] : equal_keys) {
-    if (kept.source == other.source) {
-      throw InputError(fmt::format("{}: rows {} and {} have one key, {}",
-                                   sources_[kept.source].path, kept.row, other.row,
-                                   to_string(kept.key)));
-    }
-    require_equal(kept, other);
-  }
 }
 
-void Rows::require_equal(const FiledRow& a, const FiledRow& b) const {
+void Rows::require_equal(std::size_t a, std::size_t b) const {
+  const std::string key = to_string(index_[a].key);
+  if (index_[a].source == index_[b].source) {
+    throw InputError(fmt::format("{}: rows {} and {} have one key, {}", path(a), index_[a].row,
+                                 index_[b].row, key));
+  }
   std::vector<char> left(run_record_size()), right(run_record_size());
   read(a, left.data());
   read(b, right.data());
   for (const Column& column : run_columns()) {
     if (std::memcmp(&left[column.offset], &right[column.offset], column.size) == 0) continue;
-    throw InputError(fmt::format("row {} is in {} and in {} and differs in its {}",
-                                 to_string(a.key), sources_[a.source].path, sources_[b.source].path,
-                                 column.name));
+    throw InputError(fmt::format("row {} is in {} and in {} and differs in its {}", key, path(a),
+                                 path(b), column.name));
   }
 }
 
-Rows::FiledRow Rows::filed(std::size_t row) const {
-  expect(row < size_, "there is that row");
-  return index_.empty() ? FiledRow{{}, 0, static_cast<std::uint32_t>(row)} : index_[row];
-}
-
-void Rows::read(const FiledRow& row, char* record) const {
+void Rows::read(std::size_t row, char* record) const {
   static const Column& session = run_column("session");
-  const Source& source = sources_[row.source];
-  source.with([&](auto& reader) { reader.read(row.row, record); });
-  if (index_.empty()) return;  // the numbers are those of the one file
+  if (in_hand_) return store_record(in_hand_(row), record);
+  expect(row < size_, "there is that row");
+  const bool is_one_file = index_.empty();  // its rows stand in its order, with its session numbers
+  const Source& source = sources_[is_one_file ? 0 : index_[row].source];
+  source.with([&](auto& reader) { reader.read(is_one_file ? row : index_[row].row, record); });
+  if (is_one_file) return;
   std::int64_t number = -1;
   std::memcpy(&number, record + session.offset, sizeof(number));
   const auto index = static_cast<std::size_t>(number);
   if (number < 0 || index >= source.session_numbers.size()) {
-    throw InputError(fmt::format("{}: row {} is of no session", source.path, to_string(row.key)));
+    throw InputError(
+        fmt::format("{}: row {} is of no session", source.path, to_string(index_[row].key)));
   }
   number = source.session_numbers[index];
   std::memcpy(record + session.offset, &number, sizeof(number));
 }
 
-void Rows::read(std::size_t row, char* record) const {
-  if (in_hand_) return store_record(in_hand_(row), record);
-  read(filed(row), record);
-}
-
 const RunRecord& Rows::run(std::size_t row) const {
   if (in_hand_) return in_hand_(row);
-  const FiledRow from = filed(row);
   record_.resize(run_record_size());
-  read(from, record_.data());
+  read(row, record_.data());
   try {
     run_ = load_record(record_.data());
     if (!run_.row_key.empty()) parse_row_key(run_.row_key);
-    set_bounds(find_algorithm_record(algorithms_, run_.algorithm, run_.options), run_);
+    const auto* of = find_algorithm_record(algorithms_, run_.algorithm, run_.options);
+    set_bounds(of ? &of->theorem : nullptr, of && of->published ? &*of->published : nullptr, run_);
     return run_;
   } catch (const InputError& error) {
-    throw InputError(
-        fmt::format("{}: row {}: {}", sources_[from.source].path, from.row, error.what()));
+    throw InputError(fmt::format("{}: row {}: {}", path(row),
+                                 index_.empty() ? row : index_[row].row, error.what()));
   }
 }
 
-const std::string& Rows::path(std::size_t row) const { return sources_[filed(row).source].path; }
+const std::string& Rows::path(std::size_t row) const {
+  return sources_[index_.empty() ? 0 : index_[row].source].path;
+}
 
 std::optional<std::size_t> Rows::find(const RowKey& key) const {
   const auto at = std::ranges::lower_bound(index_, key, {}, &FiledRow::key);
@@ -238,10 +238,11 @@ void Rows::arrange(const std::vector<std::uint32_t>& rows) {
 }
 
 void Rows::visit(const std::function<void(const char* record)>& visitor) const {
-  std::vector<FiledRow> order = index_;
-  std::ranges::sort(order, {}, &FiledRow::in_files);
+  std::vector<std::size_t> order(size_);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [this](std::size_t row) { return index_[row].in_files(); });
   std::vector<char> record(run_record_size());
-  for (const FiledRow& row : order) {
+  for (const std::size_t row : order) {
     read(row, record.data());
     visitor(record.data());
   }
@@ -251,10 +252,6 @@ void write_results(const Rows& rows, const std::string& path) {
   write_results(
       rows.identity(), rows.environment(), rows.size(),
       [&rows](std::size_t row, char* record) { rows.read(row, record); }, path);
-}
-
-void write_results(const Results& results, const std::string& path) {
-  write_results(Rows(results), path);
 }
 
 Results read_results(const std::string& path) { return in_memory(Rows(path)); }

@@ -26,7 +26,8 @@ class Rows {
   using InHand = std::function<const RunRecord&(std::size_t row)>;
 
   /// Rows in hand; they outlive it.
-  explicit Rows(const Results& results);
+  // NOLINTNEXTLINE(google-explicit-constructor): results are rows
+  Rows(const Results& results);
   Rows(StudyIdentity identity, std::vector<EnvironmentEntry> environment, std::size_t count,
        InHand in_hand);
   /// Rows of a results file, in its order. Memory: a few hundred rows. @throws InputError as
@@ -86,9 +87,7 @@ class Rows {
   void add(const std::string& path);
   void number_sessions();
   void index_rows();
-  void require_equal(const FiledRow& a, const FiledRow& b) const;
-  FiledRow filed(std::size_t row) const;
-  void read(const FiledRow& row, char* record) const;
+  void require_equal(std::size_t a, std::size_t b) const;
 
   StudyIdentity identity_;
   std::vector<Shard> shards_;
@@ -103,8 +102,6 @@ class Rows {
   mutable RunRecord run_;
 };
 
-/// @throws InputError as write_results of rows one at a time.
-void write_results(const Results& results, const std::string& path);
 /// @throws InputError as Rows of a results file.
 Results read_results(const std::string& path);
 Results in_memory(const Rows& rows);

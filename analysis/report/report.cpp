@@ -31,8 +31,7 @@ std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{
 }  // namespace
 
 std::string render_page(std::string_view page, std::string_view title,
-                        const std::vector<Table>& tables, std::string_view viewer,
-                        std::string_view hashes) {
+                        const std::vector<Table>& tables, const ShownDrawings& drawings) {
   const bool is_report = page == "report";
   std::string html;
   std::string_view rest = is_report ? kReportTemplate : kHistoryTemplate;
@@ -45,13 +44,13 @@ std::string render_page(std::string_view page, std::string_view title,
       html += escaped(title);
     } else if (name == "hashes") {
       html.append(is_report ? kReportHash : kHistoryHash).append(" ").append(kPlotHash);
-      if (!hashes.empty()) html.append(" ").append(hashes);
+      if (!drawings.script_hashes.empty()) html.append(" ").append(drawings.script_hashes);
     } else if (name == "style") {
       html += kPageStyle;
     } else if (name == "tables") {
       html += tables_json(tables);
     } else if (name == "viewer") {
-      html += viewer;
+      html += drawings.packed_page;
     } else if (name == "script") {
       append(is_report ? std::span<const std::string_view>(kReportScript) : kHistoryScript, html);
     } else {
@@ -80,8 +79,7 @@ std::vector<Table> report_tables(const StudyAnalysis& analysis, const SinceRefer
 std::string render_report(const StudyAnalysis& analysis, const SinceReference& since,
                           const ShownDrawings& drawings) {
   return render_page("report", analysis.rows.identity().study_id,
-                     report_tables(analysis, since, drawings, false), drawings.packed_page,
-                     drawings.script_hashes);
+                     report_tables(analysis, since, drawings, false), drawings);
 }
 
 std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t most,
@@ -161,7 +159,9 @@ void rows_csv(const Rows& rows, const TextSink& write) {
       fields.push_back(is_missing ? "" : column_text(metric, record.data()));
     }
     for (const std::int64_t bound : run.instance_bound) fields.push_back(integer(bound));
-    for (const auto& values : {run.theorem_bound, run.published_bound, run.slack}) {
+    std::array<double, 3> slack{};
+    for (std::size_t i = 0; i < 3; ++i) slack[i] = slack_of(run.extents[i], run.theorem_bound[i]);
+    for (const auto& values : {run.theorem_bound, run.published_bound, slack}) {
       for (const double value : values) fields.push_back(field(value));
     }
     write(fmt::format("{}\r\n", fmt::join(fields, ",")));

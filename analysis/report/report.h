@@ -58,11 +58,9 @@ std::string render_report(const StudyAnalysis& analysis, const SinceReference& s
                           const ShownDrawings& drawings = {});
 
 /// Returns a page of the tree's template, "report" or "history", with these tables.
-/// @param title  plain text. @param viewer  ShownDrawings::packed_page. @param hashes  of scripts
-/// that frames of the page run.
+/// @param title  plain text.
 std::string render_page(std::string_view page, std::string_view title,
-                        const std::vector<Table>& tables, std::string_view viewer = {},
-                        std::string_view hashes = {});
+                        const std::vector<Table>& tables, const ShownDrawings& drawings = {});
 
 /// Returns the rows of the page that are worth storing a drawing of, most important first, at most
 /// `most`. First come those of the listed findings and of the outliers of collections. Then, of

@@ -25,17 +25,17 @@ extern "C" const char* __asan_default_options() { return "detect_leaks=0"; }
 namespace ar3d {
 namespace {
 
-constexpr int kJobTag = 1;     // rank 0: the job to prepare; empty: stop
-constexpr int kReadyTag = 2;   // another rank: it is prepared
-constexpr int kGoTag = 3;      // rank 0: all are prepared
-constexpr int kDoneTag = 4;    // another rank: the job is done
-constexpr int kToldTag = 5;    // another rank: the result, or why it failed
-constexpr int kResultTag = 6;  // another rank, after it: which of the two
+constexpr int kJobTag = 1;                  // rank 0: the job to prepare; empty: stop
+constexpr int kReadyTag = 2;                // another rank: it is prepared
+constexpr int kGoTag = 3;                   // rank 0: all are prepared
+constexpr int kDoneTag = 4;                 // another rank: the job is done
+constexpr int kToldTag = 5;                 // another rank: the result, or why it failed
+constexpr char kDone = '+', kFailed = '-';  // before it
 
 // The time between two looks for something that may come soon or late: the longer nothing has come,
 // the longer, so that looking takes next to nothing from what computes on this core.
 void pause(const Stopwatch& waiting) {
-  const std::chrono::duration<double> pause(std::clamp(waiting.wall_s() / 16, 200e-6, 5e-3));
+  const std::chrono::duration<double> pause(std::clamp(waiting.seconds() / 16, 200e-6, 5e-3));
   std::this_thread::sleep_for(pause);
 }
 
@@ -65,17 +65,16 @@ Tell what_failed() {
   return [failure = std::current_exception()]() -> std::string { std::rethrow_exception(failure); };
 }
 
-// Puts the result into `text`, or why it failed.
-StepResult told_by(const Tell& tell, std::string& text) {
+// The result, or kFailed and why it failed.
+std::string told_by(const Tell& tell) {
   try {
-    text = tell();
+    std::string text = kDone + tell();
     if (text.size() > std::numeric_limits<int>::max()) {
       throw InternalError("internal error: a rank's rows pass 2 GiB, the most that MPI sends");
     }
-    return StepResult::done;
+    return text;
   } catch (const std::exception& error) {
-    text = error.what();
-    return StepResult::failed;
+    return kFailed + std::string(error.what());
   }
 }
 
@@ -104,17 +103,6 @@ void receive_word(int from, int tag) {
   MPI_Recv(nullptr, 0, MPI_CHAR, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
 }
 
-void send_result(StepResult result, int to) {
-  const int code = static_cast<int>(result);
-  MPI_Send(&code, 1, MPI_INT, to, kResultTag, MPI_COMM_WORLD);
-}
-
-StepResult receive_result(int from) {
-  int code = 0;
-  MPI_Recv(&code, 1, MPI_INT, from, kResultTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  return static_cast<StepResult>(code);
-}
-
 class MpiRanks final : public Ranks {
  public:
   MpiRanks() {
@@ -131,17 +119,13 @@ class MpiRanks final : public Ranks {
 
   std::string from_first(const std::string& text) override { return from(0, text); }
 
-  StepResult agree(StepResult mine, std::string& why) override {
-    const int candidate = mine == StepResult::done ? size_ : rank_;
+  std::string agree(const std::string& failure) override {
+    const int candidate = failure.empty() ? size_ : rank_;
     int first = size_;
     MPI_Request request = MPI_REQUEST_NULL;
     MPI_Iallreduce(&candidate, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD, &request);
     wait_quietly(request);
-    if (first == size_) return StepResult::done;
-    why = from(first, why);
-    int code = static_cast<int>(mine);
-    MPI_Bcast(&code, 1, MPI_INT, first, MPI_COMM_WORLD);
-    return static_cast<StepResult>(code);
+    return first == size_ ? "" : from(first, failure);
   }
 
   std::pair<double, std::vector<std::string>> at_once(int count, const std::string& job,
@@ -153,15 +137,12 @@ class MpiRanks final : public Ranks {
     for (int rank = 1; rank < count; ++rank) send_word(rank, kGoTag);
     const Tell tell = done(work);
     for (int rank = 1; rank < count; ++rank) receive_word(rank, kDoneTag);
-    const double wall_s = time.wall_s();
-    std::vector<std::string> told(1);
-    std::vector<StepResult> results = {told_by(tell, told[0])};
-    for (int rank = 1; rank < count; ++rank) {
-      told.push_back(receive_text(rank, kToldTag));
-      results.push_back(receive_result(rank));
-    }
-    for (std::size_t i = 0; i < told.size(); ++i) {  // after all have come: none is left over
-      if (results[i] != StepResult::done) throw InternalError(told[i]);
+    const double wall_s = time.seconds();
+    std::vector<std::string> told = {told_by(tell)};
+    for (int rank = 1; rank < count; ++rank) told.push_back(receive_text(rank, kToldTag));
+    for (std::string& text : told) {  // after all have come: none is left over
+      if (text.front() == kFailed) throw InternalError(text.substr(1));
+      text.erase(0, 1);
     }
     return {wall_s, std::move(told)};
   }
@@ -173,10 +154,7 @@ class MpiRanks final : public Ranks {
       receive_word(0, kGoTag);
       const Tell tell = done(work);
       send_word(0, kDoneTag);
-      std::string text;
-      const StepResult result = told_by(tell, text);
-      send_text(text, 0, kToldTag);
-      send_result(result, 0);
+      send_text(told_by(tell), 0, kToldTag);
     }
   }
 

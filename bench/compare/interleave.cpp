@@ -69,7 +69,7 @@ std::array<std::vector<Results>, 2> run_interleaved(const std::string& base_prog
     const auto now = [&] { return run_once(own, kNew, round, core, options, rounds[1]); };
     if (round % 2 == 0 ? !(base() && now()) : !(now() && base())) break;
     if (options.progress != nullptr) {
-      const double left = static_cast<double>(options.rounds - round - 1) * stopwatch.wall_s() /
+      const double left = static_cast<double>(options.rounds - round - 1) * stopwatch.seconds() /
                           static_cast<double>(round + 1);
       say(options.progress, "round {} of {}, about {:.0f} s left\n", round + 1, options.rounds,
           left);

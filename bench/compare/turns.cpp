@@ -57,10 +57,8 @@ void require_alike(toml::table base, toml::table now) {
 }
 
 bool is_program(const std::vector<Study>& sides, const std::string& algorithm) {
-  return std::ranges::any_of(sides, [&](const Study& side) {
-    return std::ranges::any_of(side.spec.programs,
-                               [&](const auto& own) { return own->row.name == algorithm; });
-  });
+  return std::ranges::any_of(
+      sides, [&](const Study& side) { return find_program(side.spec, algorithm) != nullptr; });
 }
 
 /// What is said of a program holds of both its versions.

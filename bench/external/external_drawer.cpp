@@ -21,8 +21,6 @@ namespace {
 
 constexpr std::size_t kKeptErrors = 400;
 
-void set_not_waiting(const Descriptor& descriptor) { fcntl(descriptor.get(), F_SETFL, O_NONBLOCK); }
-
 std::string last_line(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
   const std::size_t end = text.rfind('\n');
@@ -65,7 +63,9 @@ ExternalProcess::ExternalProcess(const std::vector<std::string>& command) try {
   input_ = std::move(in.second);
   output_ = std::move(out.first);
   errors_ = std::move(err.first);
-  for (const Descriptor* end : {&input_, &output_, &errors_}) set_not_waiting(*end);
+  for (const Descriptor* end : {&input_, &output_, &errors_}) {
+    fcntl(end->get(), F_SETFL, O_NONBLOCK);
+  }
 } catch (const InputError& error) {
   throw ProgramFailure(RunStatus::crashed, error.what());
 }
@@ -153,11 +153,11 @@ ExternalProcess::Answer ExternalProcess::ask(const std::string& request, double 
     searched_ = received_.size();
     if (end != std::string::npos) {
       searched_ = 0;
-      Answer answer{received_.substr(0, end), time.wall_s(), child_.cpu_s() - cpu_before};
+      Answer answer{received_.substr(0, end), time.seconds(), child_.cpu_s() - cpu_before};
       received_.erase(0, end + 1);
       return answer;
     }
-    const double left_s = limit_s - time.wall_s();
+    const double left_s = limit_s - time.seconds();
     if (left_s <= 0) {
       child_.kill();
       throw ProgramFailure(RunStatus::timeout, fmt::format("no answer within {:.6g} s", limit_s));

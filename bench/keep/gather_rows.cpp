@@ -71,11 +71,12 @@ std::string missing_shards(const std::vector<Shard>& shards) {
   return missing;
 }
 
-// Where the rows of the plan stand, in its order. @param instances  given: takes of which they are.
-StudyOutcome in_order_of(const StudyPlan& plan, const Rows& rows,
-                         std::vector<std::uint32_t>& indices,
-                         std::vector<std::size_t>* instances = nullptr) {
+}  // namespace
+
+StudyOutcome outcome_of(const StudyPlan& plan, const Rows& rows,
+                        std::vector<std::uint32_t>* in_order, std::vector<std::size_t>* instances) {
   StudyOutcome outcome;
+  std::vector<std::uint32_t> indices;
   indices.reserve(rows.size());
   for (std::size_t number = 0; number < plan.instances.size(); ++number) {
     const PlannedInstance instance = plan.instances[number];
@@ -92,22 +93,8 @@ StudyOutcome in_order_of(const StudyPlan& plan, const Rows& rows,
   }
   outcome.rows = indices.size();
   if (indices.size() < rows.size()) refuse_unknown_row(indices, rows);
+  if (in_order != nullptr) *in_order = std::move(indices);
   return outcome;
-}
-
-}  // namespace
-
-std::int64_t required_rows(const StudyPlan& plan) {
-  std::int64_t rows = 0;
-  for (const PlannedBlock& block : plan.instances.blocks()) {
-    rows += static_cast<std::int64_t>(block.count * required_runs(block.first));
-  }
-  return rows;
-}
-
-StudyOutcome outcome_of(const StudyPlan& plan, const Rows& rows) {
-  std::vector<std::uint32_t> indices;
-  return in_order_of(plan, rows, indices);
 }
 
 Rows rows_so_far(const std::string& results) {
@@ -120,7 +107,7 @@ StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& pla
                                const std::string& path) {
   Rows rows = rows_so_far(study.results);
   std::vector<std::uint32_t> indices;
-  StudyOutcome outcome = in_order_of(plan, rows, indices);
+  StudyOutcome outcome = outcome_of(plan, rows, &indices);
   rows.arrange(indices);
   rows.identity().planned_rows = static_cast<std::int64_t>(outcome.rows + outcome.missing);
   write_results(rows, path);
@@ -176,7 +163,7 @@ StudyOutcome merge_study(const std::vector<std::string>& parts, const std::strin
   const StudyPlan plan = plan_study(study);
   std::vector<std::uint32_t> indices;
   std::vector<std::size_t> instances;
-  StudyOutcome outcome = in_order_of(plan, rows, indices, &instances);
+  StudyOutcome outcome = outcome_of(plan, rows, &indices, &instances);
   outcome.missing_shards = missing_shards(rows.shards());
   if (!outcome.complete()) return outcome;
   rows.arrange(indices);

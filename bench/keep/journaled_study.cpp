@@ -22,12 +22,15 @@ StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan) {
   auto identity = static_cast<StudyIdentity&&>(describe_study(study, 1));
   identity.created = study.created;
   identity.shard = study.shard;
-  identity.planned_rows = required_rows(plan);
+  identity.planned_rows = 0;
+  for (const PlannedBlock& block : plan.instances.blocks()) {
+    identity.planned_rows += static_cast<std::int64_t>(block.count * required_runs(block.first));
+  }
   return identity;
 }
 
 JournaledStudy new_study(const Study& begun, const Shard& shard, const std::string& results) {
-  JournaledStudy study{begun, shard, results, now_with_zone()};
+  JournaledStudy study{begun, shard, results, time_with_zone()};
   if (study.results.empty()) study.results = path_of_shard(default_results_path(study.spec), shard);
   require_results_name(study.results);
   study.results = in_resolved_folder(study.results);
@@ -95,7 +98,7 @@ void make_on_ranks(StudyPlan& plan, SessionPolicy policy, Ranks& ranks, StudyLog
     BOOST_SCOPE_EXIT_ALL(&) { ranks.stop_serving(); };
     policy.metrics_phase = false;
     policy.timed_phases = timed_phases;
-    if (plan.budget.study_s) *plan.budget.study_s -= time.wall_s();  // what is left of it
+    if (plan.budget.study_s) *plan.budget.study_s -= time.seconds();  // what is left of it
     there.emplace(log.rows());
     run_session(plan, policy, log.sink(*there));
   });

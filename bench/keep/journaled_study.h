@@ -94,15 +94,15 @@ class StudyLog {
   std::optional<JournalWriter> journal_;  // until the end, so that no other run takes the study up
 };
 
-/// Returns rows that a study is not complete without.
-std::int64_t required_rows(const StudyPlan& plan);
-
 /// Returns the rows of a study that are there, in its journals and its results file.
 Rows rows_so_far(const std::string& results);
 
-/// Returns how rows of files stand to a plan. @throws InputError naming a row that the plan does not
-/// have.
-StudyOutcome outcome_of(const StudyPlan& plan, const Rows& rows);
+/// Returns how rows of files stand to a plan. @param in_order  takes where its rows stand among them,
+/// in its order. @param instances  takes of which they are. @throws InputError naming a row that the
+/// plan does not have.
+StudyOutcome outcome_of(const StudyPlan& plan, const Rows& rows,
+                        std::vector<std::uint32_t>* in_order = nullptr,
+                        std::vector<std::size_t>* instances = nullptr);
 
 /// Writes the rows so far of a study with that plan as a results file, in the plan's order.
 /// @throws InputError as rows_so_far, outcome_of, write_results.

@@ -5,7 +5,6 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -15,6 +14,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/number.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/rows.h"
 
@@ -168,11 +168,7 @@ Descriptor open_folder(const std::string& results) {
 }
 
 std::string path_in_folder(const Descriptor& folder, const std::string& results) {
-  struct stat held {};
-  struct stat named {};
-  const bool is_same = fstat(folder.get(), &held) == 0 &&
-                       stat(folder_of(results).c_str(), &named) == 0 &&
-                       held.st_dev == named.st_dev && held.st_ino == named.st_ino;
+  const bool is_same = has_its_name(folder.get(), folder_of(results));
   std::error_code error;
   const fs::path now =
       is_same ? fs::path() : fs::read_symlink(fmt::format("/proc/self/fd/{}", folder.get()), error);

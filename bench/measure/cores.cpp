@@ -3,11 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
-
-#include "ar3d/base/system_calls.h"
 
 namespace ar3d {
 std::vector<int> allowed_cores() {
@@ -19,10 +16,6 @@ std::vector<int> allowed_cores() {
     if (CPU_ISSET(core, &set)) cores.push_back(core);
   }
   return cores;
-}
-
-std::size_t usable_cores() {
-  return std::min<std::size_t>(std::max<std::size_t>(1, allowed_cores().size()), quota_threads());
 }
 
 Pinning::Pinning(int core) {

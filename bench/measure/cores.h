@@ -12,10 +12,6 @@ namespace ar3d {
 /// Returns the numbers of the cores that the calling thread may run on, increasing.
 std::vector<int> allowed_cores();
 
-/// Returns how many threads can run at the same time: the allowed cores, or quota_threads() if that
-/// is less; at least 1.
-std::size_t usable_cores();
-
 /// Keeps the calling thread on one core for its lifetime. @throws InputError if the system refuses.
 class Pinning {
  public:

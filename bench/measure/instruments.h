@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <ctime>
 #include <string>
@@ -11,30 +10,24 @@
 
 namespace ar3d {
 
-/// Measures wall time since construction.
+/// Names the clock of the calling thread's CPU time. Reading it is a system call.
+inline constexpr clockid_t kCpuTime = CLOCK_THREAD_CPUTIME_ID;
+
+/// Measures time since construction: wall time, or that of another clock.
 class Stopwatch {
  public:
-  double wall_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  explicit Stopwatch(clockid_t clock = CLOCK_MONOTONIC) : clock_(clock) {}
+  double seconds() const { return now_s() - start_s_; }
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// Measures CPU time of the calling thread since construction. Reading it is a system call.
-class CpuStopwatch {
- public:
-  double cpu_s() const { return thread_cpu_s() - start_; }
-
- private:
-  static double thread_cpu_s() {
+  double now_s() const {
     std::timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    clock_gettime(clock_, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
   }
 
-  double start_ = thread_cpu_s();
+  clockid_t clock_;
+  double start_s_ = now_s();
 };
 
 /// Represents the hardware counters of one thread (Linux perf_event_open). Construct and use it in
@@ -109,7 +102,7 @@ class Yardsticks {
   std::vector<std::uint32_t> queue_;
   std::vector<bool> seen_;
   std::array<double, 3> last_s_{};
-  CpuStopwatch clock_;
+  Stopwatch clock_{kCpuTime};
   double next_short_s_ = 0, next_memory_s_ = 0;  ///< on `clock_`
 
   void search(const Heads& heads);

@@ -4,7 +4,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -78,44 +77,15 @@ int run_child(const std::vector<std::string>& words, const ChildOptions& options
 }
 
 constexpr int kOutOfMemory = 3;
-constexpr double kNoLimit = 1e15;  // more seconds or bytes than any machine has
+constexpr double kNoLimit = 1e15;  // more seconds than any machine has
 
-void limit(__rlimit_resource resource, double value) {
-  const auto soft = static_cast<rlim_t>(value);
-  const rlimit both{soft, soft + 1};  // of CPU time the soft one has a signal of its own
-  setrlimit(resource, &both);
-}
-
-void set_limits(const std::optional<double>& cpu_s, const std::optional<double>& memory_bytes) {
-  if (cpu_s && *cpu_s < kNoLimit) limit(RLIMIT_CPU, std::ceil(*cpu_s));
-  const bool sanitised = std::string_view(build_kind()) == "sanitised";
-  if (memory_bytes && *memory_bytes < kNoLimit && !sanitised) {
-    limit(RLIMIT_AS, address_space_bytes() + *memory_bytes);
+void set_limits(const std::optional<double>& cpu_s, double memory_bytes) {
+  if (cpu_s && *cpu_s < kNoLimit) {
+    const auto soft = static_cast<rlim_t>(std::ceil(*cpu_s));
+    const rlimit both{soft, soft + 1};  // the soft one has a signal of its own
+    setrlimit(RLIMIT_CPU, &both);
   }
-}
-
-// False if it ends first, is late or is to stop.
-bool read_all(int file, std::span<char> bytes, double limit_s) {
-  using Clock = std::chrono::steady_clock;
-  const auto begin = Clock::now();
-  while (!bytes.empty()) {
-    const double left_s = limit_s - std::chrono::duration<double>(Clock::now() - begin).count();
-    if (left_s <= 0 || is_interrupted()) return false;
-    pollfd event{file, POLLIN, 0};
-    if (poll(&event, 1, static_cast<int>(1000 * std::min(left_s, 1.0)) + 1) <= 0) continue;
-    const ssize_t got = read(file, bytes.data(), bytes.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(got));
-  }
-  return true;
-}
-
-// True if no process is left that writes into a socket that has no bytes.
-bool is_at_end(int file) {
-  pollfd event{file, POLLIN, 0};
-  char byte = 0;
-  return poll(&event, 1, 0) > 0 && read(file, &byte, 1) == 0;
+  if (std::string_view(build_kind()) != "sanitised") limit_address_space(memory_bytes);
 }
 
 }  // namespace
@@ -159,8 +129,18 @@ std::vector<std::string> ask_git(std::vector<std::string> words) {
   return lines;
 }
 
-RunStatus run_within(std::optional<double> cpu_s, std::optional<double> memory_bytes,
-                     std::span<char> result, const std::function<void()>& step) {
+rlimit limit_address_space(double bytes) {
+  rlimit before{RLIM_INFINITY, RLIM_INFINITY};
+  getrlimit(RLIMIT_AS, &before);
+  rlimit limit = before;
+  const double sum = address_space_bytes() + bytes;
+  if (sum < 9e18) limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(sum));
+  setrlimit(RLIMIT_AS, &limit);
+  return before;
+}
+
+RunStatus run_within(std::optional<double> cpu_s, double memory_bytes, std::span<char> result,
+                     const std::function<void()>& step) {
   Child child = Child::forked({}, [&](int socket) {
     try {
       set_limits(cpu_s, memory_bytes);
@@ -171,9 +151,9 @@ RunStatus run_within(std::optional<double> cpu_s, std::optional<double> memory_b
     return send_all(socket, result) ? 0 : 1;
   });
   // One that computes nothing, since it waits for ever, ends after this time, as rows do.
-  const double idle_limit_s = 10 * std::ceil(cpu_s.value_or(kNoLimit)) + 1;
-  const bool came = read_all(child.socket(), result, idle_limit_s);
-  const bool late = !came && !is_interrupted() && !is_at_end(child.socket());
+  double left_s = 10 * std::ceil(cpu_s.value_or(kNoLimit)) + 1;
+  const bool came = receive_within(child.socket(), result, left_s, is_interrupted);
+  const bool late = !came && left_s <= 0;
   if (late || is_interrupted()) child.send(SIGKILL);
   const int status = child.wait();
   if (late) return RunStatus::timeout;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/resource.h>
+
 #include <functional>
 #include <optional>
 #include <span>
@@ -47,6 +49,9 @@ int run_child(const std::vector<std::string>& words, const ChildOptions& options
 /// @return the lines that it printed, on both streams; none unless it ended with code 0.
 std::vector<std::string> ask_git(std::vector<std::string> words);
 
+/// Lets this process map at most so many bytes more than now. @return the limit before.
+rlimit limit_address_space(double bytes);
+
 /// Runs `step` in a forked process and copies what it wrote into `result`, which holds plain bytes,
 /// back here. The process dies with this one. To be called while no other thread runs.
 /// @param cpu_s  kept to the next whole second; who waits has ten times that, and 1 s.
@@ -55,7 +60,7 @@ std::vector<std::string> ask_git(std::vector<std::string> words);
 /// @return how it ended, as a row would: ok, timeout, out_of_memory (also if std::bad_alloc left
 /// the step), else crashed. `result` counts only if ok.
 /// @throws InputError if the system has no process or pipe left.
-RunStatus run_within(std::optional<double> cpu_s, std::optional<double> memory_bytes,
-                     std::span<char> result, const std::function<void()>& step);
+RunStatus run_within(std::optional<double> cpu_s, double memory_bytes, std::span<char> result,
+                     const std::function<void()>& step);
 
 }  // namespace ar3d

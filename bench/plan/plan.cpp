@@ -38,7 +38,7 @@ std::uint64_t drawings_of(const BatchRules& batches, std::uint32_t workers, RunP
 
 // Rows of one drawing; at most 2^62.
 std::uint64_t rows_of_a_drawing(const Sweep& sweep) {
-  std::uint64_t rows = std::uint64_t{sweep.repetitions} + sweep.timed.most;
+  std::uint64_t rows = std::uint64_t{sweep.repetitions} + sweep.most_timed;
   for (const auto& [phase, batches] : sweep.batches) {
     for (const std::uint32_t workers : batches.workers)
       rows += drawings_of(batches, workers, phase);
@@ -55,11 +55,11 @@ void for_each_row(const Sweep& sweep, PlannedRun run, Use&& use) {
     run.workers = workers;
     run.repetition = i;
     run.batch = batch;
-    run.optional = phase == RunPhase::timing && i >= sweep.timed.least;
+    run.optional = phase == RunPhase::timing && i >= sweep.least_timed;
     use(run);
   };
   for (std::uint32_t i = 0; i < sweep.repetitions; ++i) make(RunPhase::metrics, -1, i, 0);
-  for (std::uint32_t i = 0; i < sweep.timed.most; ++i) make(RunPhase::timing, -1, i, 0);
+  for (std::uint32_t i = 0; i < sweep.most_timed; ++i) make(RunPhase::timing, -1, i, 0);
   for (const auto& [phase, batches] : sweep.batches) {
     for (const std::uint32_t workers : batches.workers) {
       const auto drawings = static_cast<std::uint32_t>(drawings_of(batches, workers, phase));
@@ -255,7 +255,7 @@ class Planner {
       const bool is_measured = choice.algorithm->guarantee.claim == Claim::measured;
       if (is_measured) run.choice.certificate = {};  // whichever was asked for
       run.options = settings_text(choice.options);
-      run.precision = sized.sweep->timed.precision;
+      run.precision = sized.sweep->timed_precision;
       for_each_row(*sized.sweep, run, [&](const PlannedRun& row) {
         const bool is_new =
             known

@@ -133,15 +133,6 @@ void write_orders(const std::vector<const RunRecord*>& rows, const StudyOrigin& 
   if (!orders) throw InputError(fmt::format("cannot write {}", path));
 }
 
-// The program of the study that made a row; null: the catalogue has the algorithm.
-const ExternalAlgorithm* program_of(const RunRecord& row, const StudyOrigin& origin) {
-  if (!origin.study) return nullptr;
-  for (const auto& program : origin.study->spec.programs) {
-    if (program->row.name == row.algorithm) return program.get();
-  }
-  return nullptr;
-}
-
 RunRecord order_of(const std::string& line) {
   std::istringstream words(line);
   RunRecord row;
@@ -282,8 +273,8 @@ std::size_t fill_counts(Results& results, std::int64_t max_n) {
   for (const RunRecord& run : results.runs) {
     if (run.n > max_n || !is_drawn(run) || !counts.try_emplace(key_of(run), -1, -1).second)
       continue;
-    const ExternalAlgorithm* program = program_of(run, origin);
-    groups[{program, program == nullptr ? "" : run.options}].push_back(&run);
+    const auto program = origin.study ? find_program(origin.study->spec, run.algorithm) : nullptr;
+    groups[{program.get(), program == nullptr ? "" : run.options}].push_back(&run);
   }
   if (groups.empty()) return 0;
   if (const std::string problem = counting_problem(); !problem.empty()) throw InputError(problem);

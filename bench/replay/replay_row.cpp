@@ -10,10 +10,8 @@ namespace ar3d {
 namespace {
 
 bool is_of_a_file(const std::string& family, const StudyOrigin& origin) {
-  if (!origin.study || !origin.study->begun_with) return false;
-  const std::vector<GraphFileRecord>& files = *origin.study->begun_with;
-  return std::any_of(files.begin(), files.end(),
-                     [&](const GraphFileRecord& file) { return file.name == family; });
+  return origin.study && origin.study->begun_with &&
+         std::ranges::count(*origin.study->begun_with, family, &GraphFileRecord::name) > 0;
 }
 
 const std::vector<FamilyChoice>& choices_of(const std::string& family, const StudyOrigin& origin) {
@@ -30,7 +28,11 @@ const std::vector<FamilyChoice>& choices_of(const std::string& family, const Stu
   return known->second;
 }
 
-FamilyChoice choice_from_file(const RunRecord& row, const StudyOrigin& origin) {
+FamilyChoice choice_of(const RunRecord& row, const StudyOrigin& origin) {
+  if (!is_of_a_file(row.family, origin)) {
+    const Family& family = find_family(row.family);
+    return {&family, complete_parameters(family, parse_settings(row.parameters))};
+  }
   for (const FamilyChoice& choice : choices_of(row.family, origin)) {
     if (settings_text(choice.parameters) == row.parameters) return choice;
   }
@@ -41,12 +43,6 @@ FamilyChoice choice_from_file(const RunRecord& row, const StudyOrigin& origin) {
 CertificateMode certificate_of(const RunRecord& row) {
   const std::string asked = asked_certificate(row);
   return asked == "measured" ? CertificateMode::exact : parse_certificate_mode(asked);
-}
-
-FamilyChoice choice_of(const RunRecord& row, const StudyOrigin& origin) {
-  if (is_of_a_file(row.family, origin)) return choice_from_file(row, origin);
-  const Family& family = find_family(row.family);
-  return {&family, complete_parameters(family, parse_settings(row.parameters))};
 }
 
 }  // namespace
@@ -76,9 +72,7 @@ PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin) {
 
 StudyOrigin study_origin(const StudyIdentity& identity) {
   try {
-    Study study = recorded_study(identity, identity.study_id);
-    const std::uint64_t seed = study.spec.seed;
-    return {.seed = seed, .study = std::move(study)};
+    return {recorded_study(identity, identity.study_id)};
   } catch (const InputError&) {
     return {};
   }
@@ -93,10 +87,10 @@ Drawing redrawn(const RunRecord& row, const StudyOrigin& origin) {
 
 RunRecord replayed(const RunRecord& row, const StudyOrigin& origin) {
   PlannedInstance instance = plan_of_row(row, origin);
-  if (origin.seed) {
+  if (origin.study) {
     instance.n =
         instance.choice.family->nearest_n(instance.requested_n, instance.choice.parameters);
-    set_seed_and_keys(*origin.seed, instance);
+    set_seed_and_keys(origin.study->spec.seed, instance);
   }
   RowMaker maker(MemoryScope::row);
   maker.prepare(instance);

@@ -18,11 +18,10 @@ namespace ar3d {
 
 /// Holds what rows were made of besides what they say themselves.
 struct StudyOrigin {
-  /// Holds the study's seed. Given: a row's key and its graph's seed are made from it again; else
-  /// they are taken from the row.
-  std::optional<std::uint64_t> seed = {};
-  std::optional<Study> study = {};  ///< with the files that it began with
-  std::string moved_graphs = {};    ///< where the file of a row's graph is now; empty: where it was
+  /// Holds the study with the files that it began with. Given: a row's key and its graph's seed are
+  /// made from it again; else they are taken from the row.
+  std::optional<Study> study = {};
+  std::string moved_graphs = {};  ///< where the file of a row's graph is now; empty: where it was
   /// Holds the graphs of files that rows have needed, by their family: a folder is listed once.
   std::shared_ptr<std::map<std::string, std::vector<FamilyChoice>>> choices =
       std::make_shared<std::map<std::string, std::vector<FamilyChoice>>>();

@@ -166,7 +166,7 @@ Results describe_study(const Study& study, int workers) {
   results.source_hash = source_hash();
   results.dirty = source_is_dirty();
   results.dirty_hash = dirty_hash();
-  results.created = now_with_zone();
+  results.created = time_with_zone();
   results.tables = side_tables_of(study);
   require_programs(spec);
   results.environment = capture_environment(workers);

@@ -70,10 +70,10 @@ RowCosts measured_here(const PlannedInstance& instance, const PlannedRun& run,
     RowMaker maker(MemoryScope::row, 1, -1, budget.certify_memory_bytes);
     RowMemory memory(MemoryScope::row);
     const std::int64_t before = memory.begin_row();
-    const CpuStopwatch time;
+    const Stopwatch time(kCpuTime);
     maker.prepare(instance);
     const RunRecord row = maker.make_row(run, {.bisect = false});  // which few rows seek
-    const double seconds = time.cpu_s();
+    const double seconds = time.seconds();
     if (row.status == RunStatus::out_of_memory) throw std::bad_alloc();
     if (!is_drawn(row)) return {};
     const auto used = static_cast<double>(row.peak_bytes - std::min(before, row.base_bytes));

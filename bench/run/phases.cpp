@@ -108,7 +108,7 @@ class TimingRounds {
     const char* why = session_.stopped() ? "then stopped"
                       : has_more         ? "enough for the precision"
                                          : "as many as the study makes";
-    const double all_s = time_.wall_s() * rules_.concurrency;
+    const double all_s = time_.seconds() * rules_.concurrency;
     std::vector<EnvironmentEntry> entries = {
         {kTimingRounds, fmt::format("{} rounds, {}: {} of {} drawings are stable", rounds, why,
                                     stable, drawings_.size())},

@@ -16,9 +16,6 @@ using Tell = std::function<std::string()>;
 /// Makes a job ready, whatever is not to be timed. What it returns is timed.
 using MakeReady = std::function<std::function<Tell()>(const std::string& job)>;
 
-/// Says what a step came to on a rank.
-enum class StepResult { done, failed, journal_full };
-
 /// Represents the processes that make one study together. This class is a process that is alone;
 /// the program for mpirun has another (apps/mpi/mpi_ranks.cpp). What several ranks do together, all
 /// of them have to call.
@@ -31,17 +28,11 @@ class Ranks {
 
   /// Returns the text of rank 0.
   virtual std::string from_first(const std::string& text) { return text; }
-  /// Returns what a step came to on the first rank that did not get it done, and in `why` what that
-  /// rank says; else `done`. No rank returns before all have come.
-  virtual StepResult agree(StepResult mine, std::string& why) {
-    (void)why;
-    return mine;
-  }
+  /// Returns the failure of the first rank that has one; empty if none has. No rank returns before
+  /// all have come.
+  virtual std::string agree(const std::string& failure) { return failure; }
   /// Waits until all ranks have come.
-  void barrier() {
-    std::string nothing;
-    agree(StepResult::done, nothing);
-  }
+  void barrier() { agree(""); }
 
   /// Has, on rank 0, ranks 0 .. count - 1 make a job ready, wait for each other, and do it at the
   /// same time, by rank 0's clock; the others are in serve() meanwhile.
@@ -54,7 +45,7 @@ class Ranks {
     const std::function<Tell()> work = make_ready(job);
     const Stopwatch time;
     const Tell tell = work();
-    const double wall_s = time.wall_s();
+    const double wall_s = time.seconds();
     return {wall_s, {tell()}};
   }
   /// Does, on the others, the jobs of rank 0 until it calls stop_serving().

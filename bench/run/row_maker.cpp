@@ -24,17 +24,12 @@ void record_verdict(RunRecord& run, const Certificate& certificate) {
   if (certificate.violated()) run.message = certificate.violations.front().message;
 }
 
-void record_bounds(RunRecord& run, const Guarantee& guarantee) {
-  const bool is_published = !guarantee.published.empty();
-  set_bounds(&guarantee.bound, is_published ? &guarantee.published.front() : nullptr, run);
-}
-
 double timed_writing_s(const Drawing& drawing) {
   OutputFile nowhere("/dev/null");
   const Stopwatch time;
   write_drawing_line(nowhere, drawing);
   nowhere.flush();
-  return time.wall_s();
+  return time.seconds();
 }
 
 constexpr std::size_t kMostCrossings = 1000000;
@@ -165,7 +160,7 @@ void RowMaker::prepare(const PlannedInstance& instance) {
   attempt(base_, [&] {
     const Stopwatch time;
     Graph graph = graph_of(instance);
-    base_.generate_s = time.wall_s();
+    base_.generate_s = time.seconds();
     base_.n = graph.num_vertices();
     base_.m = graph.num_edges();
     base_.graph_hash = graph_hash(graph);
@@ -229,7 +224,7 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   if (choice.level != Level::extents) {
     const Stopwatch storing_time;
     drawing = at_level(std::move(drawing), choice.level);
-    run.store_s = storing_time.wall_s();
+    run.store_s = storing_time.seconds();
   }
   run.counters = settings_text(drawing.counters);
   if (drawing.instance_bound) run.instance_bound = *drawing.instance_bound;
@@ -252,7 +247,7 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
     summary.smallest_bend_angle = summary.real->smallest_bend_angle;
   }
   run.certify_s = examination.certify_s;
-  run.metrics_s = examination.metrics_s + angles_time.wall_s();
+  run.metrics_s = examination.metrics_s + angles_time.seconds();
   run.drawing_hash = examination.drawing_hash;
   if (is_judged) {
     if (!needs_) needs_ = needs_of(*graph_);
@@ -264,7 +259,8 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   if (is_judged) {
     refuse_given_up(examination.certificate, *graph_);
     record_verdict(run, examination.certificate);
-    record_bounds(run, guarantee);
+    const bool is_published = !guarantee.published.empty();
+    set_bounds(&guarantee.bound, is_published ? &guarantee.published.front() : nullptr, run);
   } else {
     run.status = RunStatus::measured;
     if (examination.summary.crossings < 0) {
@@ -276,11 +272,11 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
 Drawing timed_drawing(const Graph& graph, const AlgorithmChoice& choice, HardwareCounters& counters,
                       RunRecord& run) {
   counters.start();
-  const CpuStopwatch cpu;
+  const Stopwatch cpu(kCpuTime);
   const Stopwatch time;
   Drawing drawing = draw(*choice.algorithm, graph, choice.options);
-  run.wall_s = time.wall_s();
-  run.cpu_s = cpu.cpu_s();
+  run.wall_s = time.seconds();
+  run.cpu_s = cpu.seconds();
   const auto [instructions, cycles, cache_misses] = counters.stop();
   run.instructions = instructions;
   run.cycles = cycles;
@@ -306,13 +302,8 @@ RunRecord failed_row(const PlannedInstance& instance, const PlannedRun& planned,
   return run;
 }
 
-bool is_drawn(const RunRecord& run) {
-  return run.status == RunStatus::ok || run.status == RunStatus::violated ||
-         run.status == RunStatus::measured;
-}
-
 void take_over_certificate(const RunRecord& certified, RunRecord& run) {
-  if (run.status != RunStatus::ok && run.status != RunStatus::measured) return;
+  if (!is_good(run.status)) return;
   if (run.drawing_hash != certified.drawing_hash) {
     run.status = RunStatus::crashed;
     run.message = "another drawing than the certified one of the same graph and options";

@@ -82,9 +82,6 @@ RunRecord planned_row(const PlannedInstance& instance, const PlannedRun& planned
 RunRecord failed_row(const PlannedInstance& instance, const PlannedRun& planned,
                      const RunRecord& failed);
 
-/// Returns true if a drawing came out, proved right or wrong.
-bool is_drawn(const RunRecord& run);
-
 /// Gives an uncertified row the verdict and the metrics of a certified one of the same drawing.
 /// A row that is not ok stays as it is; one of another drawing becomes `crashed`.
 void take_over_certificate(const RunRecord& certified, RunRecord& run);

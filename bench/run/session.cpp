@@ -142,9 +142,7 @@ bool StudySession::wants(const PlannedRun& run) const {
 }
 
 RunRecord StudySession::known(const PlannedRun& run) const {
-  std::vector<char> record(run_record_size());
-  sink_.there->read(sink_.there->find(parse_row_key(run.row_key)).value(), record.data());
-  return load_record(record.data());
+  return sink_.there->run(sink_.there->find(parse_row_key(run.row_key)).value());
 }
 
 void StudySession::add(const PlannedRun& run, const RunRecord& row) {
@@ -162,13 +160,13 @@ void StudySession::add(const PlannedRun& run, const RunRecord& row) {
   }
   if (policy_.progress != nullptr) {
     progress_->row_done(run.optional ? 0 : work_of_row(static_cast<std::uint64_t>(row.requested_n)),
-                        row.status == RunStatus::ok || row.status == RunStatus::measured);
+                        is_good(row.status));
   }
 }
 
 bool StudySession::stopped() const {
   return sink_failed_ || is_interrupted() ||
-         (plan_.budget.study_s && time_.wall_s() >= *plan_.budget.study_s);
+         (plan_.budget.study_s && time_.seconds() >= *plan_.budget.study_s);
 }
 
 std::optional<RunRecord> StudySession::failure(const PlannedInstance& instance,
@@ -226,22 +224,20 @@ void together(Ranks& ranks, const std::function<void()>& step) {
     step();
     return ranks.barrier();
   }
-  StepResult result = StepResult::done;
-  std::string why;
+  constexpr char kFull = 'j', kRefused = 'i';  // before what is said of it
+  std::string failure;
   try {
     step();
   } catch (const JournalFull& error) {
-    result = StepResult::journal_full;
-    why = error.what();
+    failure = kFull + std::string(error.what());
   } catch (const InputError& error) {
-    result = StepResult::failed;
-    why = error.what();
+    failure = kRefused + std::string(error.what());
   }
-  result = ranks.agree(result, why);
-  if (result == StepResult::done) return;
+  failure = ranks.agree(failure);
+  if (failure.empty()) return;
   ranks.have_failed = true;
-  if (result == StepResult::journal_full) throw JournalFull(why);
-  throw InputError(why);
+  if (failure.front() == kFull) throw JournalFull(failure.substr(1));
+  throw InputError(failure.substr(1));
 }
 
 void require_possible(const StudyPlan& plan, const SessionPolicy& policy) {

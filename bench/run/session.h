@@ -59,8 +59,8 @@ void run_session(const StudyPlan& plan, const SessionPolicy& policy, const RowSi
 MakeReady batch_parts(const StudyPlan& plan, int rank, const std::function<bool()>& stop);
 
 /// Returns "2026-01-02T03:04:05.678901+00:00".
-std::string time_with_zone(std::chrono::system_clock::time_point time);
-inline std::string now_with_zone() { return time_with_zone(std::chrono::system_clock::now()); }
+std::string time_with_zone(
+    std::chrono::system_clock::time_point time = std::chrono::system_clock::now());
 
 /// Returns the tables that stand beside a study's rows: its algorithms, files and their graphs.
 /// @throws InputError as corpora_of.

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 
@@ -39,17 +38,6 @@ long long oom_kills() {
     if (name == "oom_kill") return count;
   }
   return 0;
-}
-
-// Lets this process map at most so much more than now. @return the limit before.
-rlimit limit_address_space(double bytes) {
-  rlimit before{RLIM_INFINITY, RLIM_INFINITY};
-  getrlimit(RLIMIT_AS, &before);
-  rlimit limit = before;
-  const double sum = address_space_bytes() + bytes;
-  if (sum < 9e18) limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(sum));
-  setrlimit(RLIMIT_AS, &limit);
-  return before;
 }
 
 std::vector<int> descriptors_of_graphs(const StudyPlan& plan) {

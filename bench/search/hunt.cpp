@@ -75,27 +75,26 @@ using WithoutParts = Graph (*)(const Graph&, std::size_t first, std::size_t last
 /// can go. A pass over all chunks of a size begins with the last, so that the places of the others
 /// stay.
 bool remove_chunks(CountParts count, WithoutParts without,
-                   const std::function<bool(const Graph&)>& keeps, std::uint64_t max_evaluations,
-                   ShrinkResult& result) {
+                   const std::function<bool(const Graph&)>& keeps, std::uint64_t& evaluations,
+                   Graph& graph) {
   bool has_shrunk = false;
-  std::size_t chunk = std::max<std::size_t>(1, count(result.graph) / 2);
+  std::size_t chunk = std::max<std::size_t>(1, count(graph) / 2);
   while (true) {
     bool removed = false;
-    std::size_t last = count(result.graph);
-    while (last > 0 && result.evaluations < max_evaluations) {
+    std::size_t last = count(graph);
+    for (; last > 0 && evaluations > 0; --evaluations) {
       const std::size_t first = last > chunk ? last - chunk : 0;
-      Graph candidate = without(result.graph, first, last);
-      ++result.evaluations;
+      Graph candidate = without(graph, first, last);
       if (keeps(candidate)) {
-        result.graph = std::move(candidate);
+        graph = std::move(candidate);
         removed = true;
       }
-      last = std::min(first, count(result.graph));
+      last = std::min(first, count(graph));
     }
     has_shrunk |= removed;
     if (chunk == 1 && !removed) return has_shrunk;
-    if (result.evaluations >= max_evaluations) return true;
-    if (!removed || chunk > count(result.graph)) chunk = std::max<std::size_t>(1, chunk / 2);
+    if (evaluations == 0) return true;
+    if (!removed || chunk > count(graph)) chunk = std::max<std::size_t>(1, chunk / 2);
   }
 }
 
@@ -178,23 +177,19 @@ Graph with_switched_edges(const Graph& graph, RandomStream& random) {
   return graph;
 }
 
-ShrinkResult shrink(const Graph& graph, const std::function<bool(const Graph&)>& keeps,
-                    std::uint64_t max_evaluations) {
-  ShrinkResult result;
-  result.graph = graph;
+bool shrink(Graph& graph, const std::function<bool(const Graph&)>& keeps,
+            std::uint64_t& evaluations) {
   bool has_shrunk = true;
-  while (has_shrunk && result.evaluations < max_evaluations) {
-    has_shrunk = false;
-    has_shrunk |=
+  while (has_shrunk && evaluations > 0) {
+    has_shrunk =
         remove_chunks([](const Graph& g) { return std::size_t{connected_components_of(g).count}; },
-                      without_components, keeps, max_evaluations, result);
+                      without_components, keeps, evaluations, graph);
     has_shrunk |= remove_chunks([](const Graph& g) { return std::size_t{g.num_vertices()}; },
-                                without_vertices, keeps, max_evaluations, result);
+                                without_vertices, keeps, evaluations, graph);
     has_shrunk |= remove_chunks([](const Graph& g) { return std::size_t{g.num_edges()}; },
-                                without_edges, keeps, max_evaluations, result);
+                                without_edges, keeps, evaluations, graph);
   }
-  result.minimal = !has_shrunk;
-  return result;
+  return !has_shrunk;
 }
 
 }  // namespace ar3d

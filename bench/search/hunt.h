@@ -36,15 +36,15 @@ const std::vector<SeededFault>& seeded_faults();
 /// @throws InputError naming the unknown fault and the known ones.
 const SeededFault& find_seeded_fault(std::string_view name);
 
-/// Says which share of the bound counts; side: the largest of the three axes.
-enum class BoundShare { side, x, y, z, volume };
+/// Names the shares of a bound that may count; side: the largest of the three axes.
+inline constexpr const char* kShares[] = {"side", "x", "y", "z", "volume"};
 
 /// Holds what is tried on one graph after the other: an algorithm with complete options, or a
 /// program of a study, a fault if one is seeded, and which share of which bound counts.
 struct Subject {
   AlgorithmChoice choice;
   const SeededFault* fault = nullptr;
-  BoundShare measure = BoundShare::side;
+  std::string measure = "side";   ///< one of kShares
   bool against_instance = false;  ///< the bound is the proof's for the graph, else the theorem's
 };
 
@@ -103,18 +103,14 @@ std::vector<FamilyChoice> fitting_families(const Algorithm& algorithm, std::uint
 /// if no switch was found in a few tries. O(n + m).
 Graph with_switched_edges(const Graph& graph, RandomStream& random);
 
-struct ShrinkResult {
-  Graph graph;
-  std::uint64_t evaluations = 0;
-  bool minimal = false;  ///< no vertex and no edge can go; false if the evaluations ran out
-};
-
 /// Removes components, vertices and edges as long as `keeps` holds (delta debugging: Zeller and
 /// Hildebrandt 2002, first large chunks, then small ones). What stays keeps its order. Degrees only
 /// fall, so the graph stays inside every guarantee.
-/// @param keeps  the property; true of `graph`.
+/// @param graph  becomes the part of it that is left. @param keeps  the property; true of `graph`.
+/// @param evaluations  that are left; each takes one.
+/// @return true if no vertex and no edge can go; false if the evaluations ran out.
 /// Cost: O(k log k) evaluations for k vertices and edges where few stay, O(k^2) at worst.
-ShrinkResult shrink(const Graph& graph, const std::function<bool(const Graph&)>& keeps,
-                    std::uint64_t max_evaluations);
+bool shrink(Graph& graph, const std::function<bool(const Graph&)>& keeps,
+            std::uint64_t& evaluations);
 
 }  // namespace ar3d

@@ -37,7 +37,7 @@ std::array<double, 3> bound_of(const Subject& subject, const Graph& graph, const
   return bound;
 }
 
-double ratio_of(const Trial& trial, BoundShare measure) {
+double ratio_of(const Trial& trial, const std::string& measure) {
   std::array<double, 3> share{};
   double volume = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -45,14 +45,9 @@ double ratio_of(const Trial& trial, BoundShare measure) {
     if (trial.bound[axis] > 0) share[axis] = extent / trial.bound[axis];
     volume *= (extent + 1) / (trial.bound[axis] + 1);
   }
-  switch (measure) {
-    case BoundShare::side:
-      return *std::max_element(share.begin(), share.end());
-    case BoundShare::volume:
-      return volume;
-    default:
-      return share[static_cast<std::size_t>(measure) - static_cast<std::size_t>(BoundShare::x)];
-  }
+  if (measure == "volume") return volume;
+  if (measure == "side") return std::ranges::max(share);
+  return share.at(static_cast<std::size_t>(measure.front() - 'x'));
 }
 
 // The first edge that lies on a triangle, and the vertex across.

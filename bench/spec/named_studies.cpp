@@ -73,7 +73,7 @@ Study with_timed_rounds(const Study& whole, std::uint64_t rounds) {
 
 std::string text_of_a_turn(const Study& whole, std::int64_t most_timed) {
   const StudySpec& spec = whole.spec;
-  const auto is_long = [&](const Sweep& sweep) { return sweep.timed.most > most_timed; };
+  const auto is_long = [&](const Sweep& sweep) { return sweep.most_timed > most_timed; };
   const bool has_long = std::any_of(spec.sweeps.begin(), spec.sweeps.end(), is_long);
   if (!spec.count && !has_long) return movable_text(whole);
   toml::table study = parse_toml(movable_text(whole), spec.name);

@@ -24,23 +24,21 @@ bool any(const Sweep& sweep, Is is) {
 
 }  // namespace
 
-TimedRepetitions read_timed_repetitions(const toml::node& node) {
+void read_timed_repetitions(const toml::node& node, Sweep& sweep) {
   const std::string what = "timed_repetitions";
-  TimedRepetitions repetitions;
   if (!node.is_table()) {
-    into(repetitions.most, 0, kMaxRepetitions)(node, what);
-    repetitions.least = repetitions.most;
-    return repetitions;
+    into(sweep.most_timed, 0, kMaxRepetitions)(node, what);
+    sweep.least_timed = sweep.most_timed;
+    return;
   }
-  repetitions.least = 6;  // fewer values give no interval of 95 % confidence for their median
+  sweep.least_timed = 6;  // fewer values give no interval of 95 % confidence for their median
   read_toml_table(node, what,
-                  {{"precision", number_into(repetitions.precision, 1e-6, 1), true},
-                   {"min", into(repetitions.least, 6, kMaxRepetitions)},
+                  {{"precision", number_into(sweep.timed_precision, 1e-6, 1), true},
+                   {"min", into(sweep.least_timed, 6, kMaxRepetitions)},
                    {"max", [&](const toml::node& most, const std::string& key) {
-                      into(repetitions.most, repetitions.least, kMaxRepetitions)(most, key);
+                      into(sweep.most_timed, sweep.least_timed, kMaxRepetitions)(most, key);
                     }}});
-  if (!has_toml_key(node, "max")) repetitions.most = std::max(repetitions.least, 50u);
-  return repetitions;
+  if (!has_toml_key(node, "max")) sweep.most_timed = std::max(sweep.least_timed, 50u);
 }
 
 BatchRules read_batches(const toml::node& node, const std::string& what,

@@ -31,7 +31,7 @@ bool is_family(const std::string& name);
 std::string own_graphs_name(const std::string& path);
 
 /// Reads the value of one key of a specification. @throws InputError "file:line: message".
-TimedRepetitions read_timed_repetitions(const toml::node& node);
+void read_timed_repetitions(const toml::node& node, Sweep& into);
 BatchRules read_batches(const toml::node& node, const std::string& what,
                         const std::string& workers);
 TimingRules read_timing_rules(const toml::node& node);

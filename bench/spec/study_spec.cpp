@@ -16,17 +16,16 @@
 #include "ar3d/generators/catalog.h"
 
 namespace ar3d {
-namespace {
-
-constexpr std::int64_t kMaxN = 4294967294, kMaxCount = 1000000;  // a graph has n < 2^32 - 1
-
-// The program of that name; null if the study has none.
 std::shared_ptr<const ExternalAlgorithm> find_program(const StudySpec& spec,
                                                       const std::string& name) {
   const auto at =
       std::ranges::find(spec.programs, name, [](const auto& program) { return program->row.name; });
   return at == spec.programs.end() ? nullptr : *at;
 }
+
+namespace {
+
+constexpr std::int64_t kMaxN = 4294967294, kMaxCount = 1000000;  // a graph has n < 2^32 - 1
 
 void add_program(const toml::node& node, StudySpec& spec) {
   std::shared_ptr<const ExternalAlgorithm> program = read_program(node);
@@ -230,7 +229,7 @@ Sweep read_sweep(const toml::node& node, const StudySpec& spec) {
        values_into(sweep.algorithms, parse_certificate_mode, &AlgorithmChoice::certificate)},
       {"instances", into(sweep.instances, 1, kMaxCount)},
       {"repetitions", into(sweep.repetitions, 1, kMaxCount)},
-      {"timed_repetitions", [&](Node timed, Key) { sweep.timed = read_timed_repetitions(timed); }},
+      {"timed_repetitions", [&](Node timed, Key) { read_timed_repetitions(timed, sweep); }},
       {"strong", batches_of(RunPhase::strong)},
       {"weak", batches_of(RunPhase::weak)},
       {"strong_ranks", batches_of(RunPhase::strong_ranks)},

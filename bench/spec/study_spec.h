@@ -20,14 +20,6 @@ namespace ar3d {
 class Corpus;   // bench/corpus/corpus.h
 struct Family;  // generators/catalog.h
 
-/// Describes rounds of the timing phase, each with one repetition of a drawing: between `least` and
-/// `most`, until times are stable within the precision (make_timing); exactly `most` if it is 0.
-struct TimedRepetitions {
-  std::uint32_t least = 0;
-  std::uint32_t most = 0;
-  double precision = 0;
-};
-
 /// Describes batches of equal drawings shared by 1, ... threads or ranks. strong: `drawings` in
 /// all, weak: `drawings` for each of them.
 struct BatchRules {
@@ -128,7 +120,10 @@ struct Sweep {
   std::vector<AlgorithmChoice> algorithms;  ///< at every level, by every certificate
   std::uint32_t instances = 1;    ///< where the graph depends on the seed; others have one
   std::uint32_t repetitions = 1;  ///< of every drawing in the metrics phase
-  TimedRepetitions timed;         ///< of every drawing in the timing phase; none by default
+  /// Hold rounds of the timing phase, each with one repetition of a drawing: between least and most,
+  /// until times are stable within the precision (make_timing); exactly most if it is 0.
+  std::uint32_t least_timed = 0, most_timed = 0;
+  double timed_precision = 0;
   std::map<RunPhase, BatchRules> batches;  ///< of every drawing, by phase
   std::vector<CellPattern> include;        ///< if not empty, a cell has to match one of these
   std::vector<CellPattern> exclude;
@@ -209,6 +204,10 @@ Study recorded_study(const StudyIdentity& identity, const std::string& file);
 /// @throws InputError naming the unknown algorithm or option.
 AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
                                  const Settings& options);
+
+/// Returns the program of that name; null if the study has none.
+std::shared_ptr<const ExternalAlgorithm> find_program(const StudySpec& spec,
+                                                      const std::string& name);
 
 /// Returns "ar3d-<name>.h5".
 std::string default_results_path(const StudySpec& spec);

@@ -277,7 +277,6 @@ void take_results(const RunRecord& from, RunRecord& run) {
   result_columns(read, run);
   metric_columns(read, run);
   run.theorem_bound = from.theorem_bound;
-  run.slack = from.slack;
   run.published_bound = from.published_bound;
 }
 

@@ -26,6 +26,15 @@ enum class RunStatus : std::uint8_t {
 const char* to_string(RunStatus status);
 /// @throws InputError naming the text if it is no status.
 RunStatus parse_run_status(std::string_view text);
+/// Returns whether a drawing came out and is not proved wrong; whether there is no telling what would
+/// have come out.
+constexpr bool is_good(RunStatus status) {
+  return status == RunStatus::ok || status == RunStatus::measured;
+}
+constexpr bool is_unfinished(RunStatus status) {
+  return status == RunStatus::timeout || status == RunStatus::out_of_memory ||
+         status == RunStatus::crashed;
+}
 
 /// Says what a row was made for. metrics: certified, on all cores, its times disturbed by the other
 /// workers; timing: alone on a core of its own; strong, weak: one of a batch of equal drawings
@@ -94,7 +103,6 @@ struct RunRecord {
 
   // What follows from algorithm, options and n; see set_bounds(). No columns of /runs.
   std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
-  std::array<double, 3> slack{kMissing, kMissing, kMissing};  ///< 1 - extent / theorem_bound
   /// Holds a published bound, for comparison only; missing if there is none.
   std::array<double, 3> published_bound{kMissing, kMissing, kMissing};
 
@@ -126,6 +134,11 @@ struct RunRecord {
   double efficiency = kMissing;     ///< ideal_batch_s / batch_s
   std::int64_t session = -1;        ///< which of the /environments it was made in
 };
+
+/// Returns true if a drawing came out, proved right or wrong.
+inline bool is_drawn(const RunRecord& run) {
+  return is_good(run.status) || run.status == RunStatus::violated;
+}
 
 /// Returns the certificate that was asked for, as the row's certificate and message tell: "exact",
 /// "none", "measured"; in results of 0.2.0 also "double" and others, which proved nothing: the

@@ -260,11 +260,6 @@ const AlgorithmRecord* find_algorithm_record(const std::vector<AlgorithmRecord>&
   return at == records.end() ? nullptr : &*at;
 }
 
-void set_bounds(const AlgorithmRecord* record, RunRecord& run) {
-  const SizeBound* theorem = record == nullptr ? nullptr : &record->theorem;
-  set_bounds(theorem, record != nullptr && record->published ? &*record->published : nullptr, run);
-}
-
 void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord& run) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto value = [&](const SizeBound* bound) {
@@ -274,8 +269,6 @@ void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord&
     const double proved = value(theorem);
     run.theorem_bound[axis] = proved > 0 || run.n == 0 ? proved : kMissing;
     run.published_bound[axis] = value(published);
-    const bool has_slack = proved > 0 && run.extents[axis] >= 0;
-    run.slack[axis] = has_slack ? 1 - static_cast<double>(run.extents[axis]) / proved : kMissing;
   }
 }
 

@@ -72,11 +72,8 @@ std::vector<EnvironmentEntry> environment_of(const StoredTable& table);
 const AlgorithmRecord* find_algorithm_record(const std::vector<AlgorithmRecord>& records,
                                              std::string_view algorithm, std::string_view options);
 
-/// Sets theorem_bound, slack and published_bound of a run from its n and its extents. Those of a
-/// run without n, and of one without record (null), are missing; so is the slack of a run that has
-/// no extents or a bound of 0.
-void set_bounds(const AlgorithmRecord* record, RunRecord& run);
-/// Sets them from the bounds themselves; each may be null.
+/// Sets theorem_bound and published_bound of a run from its n. Those of a run without n, and of a
+/// bound that is null, are missing.
 void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord& run);
 
 /// Counts the files of all collections of a study. @return those that were read, and all.

@@ -19,10 +19,8 @@ herr_t keep_description(unsigned, const H5E_error2_t* entry, void* data) {
   return 0;
 }
 
-Hdf5Handle scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose, "create a scalar"}; }
-
 Hdf5Handle create_attribute(hid_t object, const std::string& name, hid_t type) {
-  const Hdf5Handle space = scalar_space();
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "create a scalar");
   return {H5Acreate2(object, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
           "create an attribute"};
 }

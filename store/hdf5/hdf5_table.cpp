@@ -280,10 +280,6 @@ StoredTable read_table(hid_t file, const StoredTable& table, std::uint64_t file_
   return stored;
 }
 
-bool has_table(hid_t file, const std::string& name) {
-  return hdf5_checked(H5Lexists(file, name.c_str(), H5P_DEFAULT), "look for a table") > 0;
-}
-
 std::size_t stored_text_size(hid_t file, const std::string& table, const std::string& field) {
   const Hdf5Handle dataset = open_own_dataset(file, table);
   const std::optional<Hdf5Handle> type = member_type(type_of(dataset.get(), table).get(), field);

@@ -137,9 +137,6 @@ class TableReader {
 /// Reads a whole table. @throws Hdf5Error as TableReader.
 StoredTable read_table(hid_t file, const StoredTable& table, std::uint64_t file_bytes);
 
-/// Returns true if there is a table of that name. @throws Hdf5Error if it is a link elsewhere.
-bool has_table(hid_t file, const std::string& name);
-
 /// Returns the size in bytes of a text column of a table in the file.
 std::size_t stored_text_size(hid_t file, const std::string& table, const std::string& field);
 

@@ -2,14 +2,10 @@
 // own memory, and all that comes back is bytes whose length is sent first.
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/resource.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <chrono>
 #include <exception>
 
 #include "ar3d/base/error.h"
@@ -69,37 +65,20 @@ ReaderProcess::ReaderProcess(std::string path, const Descriptor& file, const Ans
       });
 }
 
-// As receive_all, in the time that is left. A long step is one in which this process was stopped,
-// and the child with it.
-bool ReaderProcess::receive(std::span<char> bytes, double& left_s) {
-  using Clock = std::chrono::steady_clock;
-  while (!bytes.empty()) {
-    if (left_s <= 0) return false;
-    const auto before = Clock::now();
-    pollfd event{child_.socket(), POLLIN, 0};
-    poll(&event, 1, static_cast<int>(1000 * std::min(left_s, 1.0)) + 1);
-    left_s -= std::min(std::chrono::duration<double>(Clock::now() - before).count(), 2.0);
-    const ssize_t got = recv(child_.socket(), bytes.data(), bytes.size(), MSG_DONTWAIT);
-    if (got < 0 && (errno == EAGAIN || errno == EINTR)) continue;
-    if (got <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(got));
-  }
-  return true;
-}
-
 const std::string& ReaderProcess::ask(std::uint64_t question) {
   constexpr std::size_t kPiece = std::size_t{1} << 20;  // memory comes with the bytes that fill it
   double left_s = limit_s_;
   AnswerHead head{};
   if (child_.has_ended() || !send_all(child_.socket(), bytes_in(question)) ||
-      !receive(bytes_in(head), left_s) || head[0] > kLargestAnswer) {
+      !receive_within(child_.socket(), bytes_in(head), left_s) || head[0] > kLargestAnswer) {
     refuse(left_s);
   }
   answer_.clear();
   while (answer_.size() < head[0]) {
     const std::size_t done = answer_.size();
     answer_.resize(std::min<std::size_t>(head[0], done + kPiece));
-    if (!receive(std::span(answer_).subspan(done), left_s)) refuse(left_s);
+    const auto piece = std::span(answer_).subspan(done);
+    if (!receive_within(child_.socket(), piece, left_s)) refuse(left_s);
   }
   if (head[1] == 0) {  // a broken child may say anything
     const bool is_named = answer_.find(path_) != std::string::npos;

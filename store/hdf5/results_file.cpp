@@ -225,7 +225,8 @@ std::string opened(const std::string& path, int descriptor, std::optional<TableR
   const std::uint64_t bytes = std::filesystem::file_size(name);
   StudyIdentity identity = read_identity(file.get());
   for (const StoredTable& spec : side_table_specs()) {
-    if (has_table(file.get(), spec.name)) {
+    if (hdf5_checked(H5Lexists(file.get(), spec.name.c_str(), H5P_DEFAULT), "look for a table") >
+        0) {
       identity.tables.push_back(read_table(file.get(), spec, bytes));
     }
   }

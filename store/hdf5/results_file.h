@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -40,7 +39,6 @@ class ReaderProcess {
   const std::string& ask(std::uint64_t question);
 
  private:
-  bool receive(std::span<char> bytes, double& left_s);
   [[noreturn]] void refuse(double left_s);
 
   std::string path_;

@@ -55,8 +55,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 4> kKinds = {"ar3d_journal", "session", "row",
-                                                    "session_end"};
+constexpr std::array kKinds = {kIdentity, kSession, kRow, kSessionEnd};
 constexpr std::string_view kChecksumKey = R"(,"xxh3":")";
 constexpr std::size_t kTailSize = kChecksumKey.size() + 16 + 3;
 
@@ -91,8 +90,9 @@ bool take_head(std::string_view& line, JournalRecord& record) {
   }
   const std::string_view word = line.substr(0, line.find('"'));
   const auto* const kind = std::find(kKinds.begin(), kKinds.end(), word);
-  record.kind = static_cast<JournalKind>(kind - kKinds.begin());
-  return kind != kKinds.end() && take(line, word) && take(line, "\":");
+  if (kind == kKinds.end()) return false;
+  record.kind = *kind;
+  return take(line, word) && take(line, "\":");
 }
 
 Json as_json(const std::vector<Column>& columns) {
@@ -248,8 +248,7 @@ bool begins_as_journal(std::string_view bytes) {
 void frame_record(const JournalRecord& record, std::string& line) {
   line.clear();
   fmt::format_to(std::back_inserter(line), "{}{},\"not_ok\":{},\"{}\":{}", kRecordStart,
-                 record.rows, record.not_ok, kKinds[static_cast<std::size_t>(record.kind)],
-                 record.payload);
+                 record.rows, record.not_ok, record.kind, record.payload);
   line += tail_of(line, record.offset);
 }
 
@@ -296,10 +295,6 @@ void parse_record(const std::vector<Column>& columns, std::string_view json,
   if (is_good && json == "}") return;
   throw InputError(fmt::format("{}: a record is none of its table from '{}' on", path,
                                printable(json.substr(0, 40))));
-}
-
-RowKey key_of_row(std::string_view json) {
-  return parse_row_key(take(json, R"({"row_key":")") ? json.substr(0, 32) : "");
 }
 
 std::string identity_text(const StudyIdentity& identity) {

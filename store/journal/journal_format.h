@@ -23,12 +23,13 @@ inline constexpr std::string_view kJournalStart =
 /// Returns true of the first bytes of a journal, also of one of an older version.
 bool begins_as_journal(std::string_view bytes);
 
-/// Names records by the key of their content in the line: ar3d_journal, session, row, session_end.
-enum class JournalKind : std::uint8_t { identity, session, row, session_end };
+/// Name the kinds of records, as the keys of their content in the line.
+inline constexpr std::string_view kIdentity = "ar3d_journal", kSession = "session", kRow = "row",
+                                  kSessionEnd = "session_end";
 
 /// Describes a line.
 struct JournalRecord {
-  JournalKind kind = JournalKind::row;
+  std::string_view kind = kRow;
   std::uint64_t rows = 0;    ///< in the journal up to and with this record
   std::uint64_t not_ok = 0;  ///< of them, with another status than ok or measured
   std::uint64_t offset = 0;  ///< of its line
@@ -63,8 +64,6 @@ void write_record(const std::vector<Column>& columns, const char* record, std::s
 /// @throws InputError naming `path` and the place.
 void parse_record(const std::vector<Column>& columns, std::string_view json,
                   const std::string& path, char* record);
-/// Returns the key of a row without a look at the rest of it. @throws InputError
-RowKey key_of_row(std::string_view json);
 
 /// Returns the study's identity with its tables, and the columns that the rows have, as JSON.
 std::string identity_text(const StudyIdentity& identity);

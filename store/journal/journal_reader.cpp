@@ -162,26 +162,20 @@ JournalReader::JournalReader(std::string path)
 }
 
 void JournalReader::note(const JournalRecord& record) {
-  const auto session_entries = [&] { return parse_session(record.payload, path_); };
-  switch (record.kind) {
-    case JournalKind::identity:
-      identity_ = parse_identity(record.payload, path_);
-      return;
-    case JournalKind::session:
-      sessions_.push_back(session_entries());
-      return;
-    case JournalKind::session_end:
-      if (sessions_.empty()) {
-        throw InputError(fmt::format("{}: a session ends that has not begun", path_));
-      }
-      for (EnvironmentEntry& entry : session_entries()) {
-        sessions_.back().push_back(std::move(entry));
-      }
-      return;
-    case JournalKind::row:
-      keys_.push_back(key_of_row(record.payload));
-      rows_.emplace_back(record.payload_offset, record.payload.size());
-      return;
+  if (record.kind == kRow) {
+    constexpr std::string_view kKey = R"({"row_key":")";  // the rest of the row is not looked at
+    const bool has_key = record.payload.starts_with(kKey);
+    keys_.push_back(parse_row_key(has_key ? record.payload.substr(kKey.size(), 32) : ""));
+    rows_.emplace_back(record.payload_offset, record.payload.size());
+  } else if (record.kind == kIdentity) {
+    identity_ = parse_identity(record.payload, path_);
+  } else if (record.kind == kSession) {
+    sessions_.push_back(parse_session(record.payload, path_));
+  } else {
+    if (sessions_.empty()) {
+      throw InputError(fmt::format("{}: a session ends that has not begun", path_));
+    }
+    std::ranges::move(parse_session(record.payload, path_), std::back_inserter(sessions_.back()));
   }
 }
 

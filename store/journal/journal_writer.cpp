@@ -28,14 +28,6 @@ void require_same(const StudyIdentity& journal, const StudyIdentity& study,
   compare("shard", shard(journal.shard), shard(study.shard));
 }
 
-// False if the file was removed, or another one has its name, since it was opened.
-bool has_its_name(int file, const std::string& path) {
-  struct stat opened {};
-  struct stat named {};
-  return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
-         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
-}
-
 bool has_no_name(int file) {
   struct stat status {};
   return fstat(file, &status) == 0 && status.st_nlink == 0;
@@ -65,7 +57,7 @@ JournalWriter::~JournalWriter() {
 void JournalWriter::create_if_missing(const StudyIdentity& identity) {
   if (access(path_.c_str(), F_OK) != 0) {
     const std::string text = identity_text(identity);
-    frame_record({.kind = JournalKind::identity, .payload = text}, line_);
+    frame_record({.kind = kIdentity, .payload = text}, line_);
     create_file_atomically(path_, line_);
   }
   file_ = Descriptor(open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC));
@@ -92,10 +84,10 @@ void JournalWriter::lock() {
 void JournalWriter::read_existing(const StudyIdentity& identity) {
   end_ = scan_journal(file_.get(), path_, [&](const JournalRecord& record) {
     last_ = record;
-    if (record.kind == JournalKind::identity) {
+    if (record.kind == kIdentity) {
       require_same(parse_identity(record.payload, path_), identity, path_);
     }
-    if (record.kind == JournalKind::session) ++session_;
+    if (record.kind == kSession) ++session_;
     return true;
   });
   const off_t size = lseek(file_.get(), 0, SEEK_END);
@@ -125,13 +117,13 @@ void JournalWriter::keep_what_is_cut() {
 
 void JournalWriter::begin_session(const std::vector<EnvironmentEntry>& environment) {
   json_ = session_text(environment);
-  write_line({JournalKind::session, last_.rows, last_.not_ok});
+  write_line({kSession, last_.rows, last_.not_ok});
   ++session_;
 }
 
 void JournalWriter::end_session(const std::vector<EnvironmentEntry>& environment) {
   json_ = session_text(environment);
-  write_line({JournalKind::session_end, last_.rows, last_.not_ok});
+  write_line({kSessionEnd, last_.rows, last_.not_ok});
   sync();
 }
 
@@ -149,7 +141,7 @@ void JournalWriter::append_record(const char* record) {
   write_record(runs_spec().columns, record, json_);
   const std::string status = text_of(column, record);
   const bool is_ok = status == "ok" || status == "measured";
-  write_line({JournalKind::row, last_.rows + 1, last_.not_ok + (is_ok ? 0 : 1)});
+  write_line({kRow, last_.rows + 1, last_.not_ok + (is_ok ? 0 : 1)});
 }
 
 // Of a line with json_ as its payload.

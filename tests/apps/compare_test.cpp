@@ -246,10 +246,10 @@ TEST(CompareProgram, ATurnIsShortAndUncounted) {
               sweep + "timed_repetitions = 3\n" + sweep);
   EXPECT_FALSE(turn.count);
   ASSERT_EQ(turn.sweeps.size(), 3u);
-  EXPECT_EQ(turn.sweeps[0].timed.most, 5u);
-  EXPECT_EQ(turn.sweeps[0].timed.least, 5u);
-  EXPECT_EQ(turn.sweeps[1].timed.most, 3u);
-  EXPECT_EQ(turn.sweeps[2].timed.most, 0u);
+  EXPECT_EQ(turn.sweeps[0].most_timed, 5u);
+  EXPECT_EQ(turn.sweeps[0].least_timed, 5u);
+  EXPECT_EQ(turn.sweeps[1].most_timed, 3u);
+  EXPECT_EQ(turn.sweeps[2].most_timed, 0u);
   EXPECT_EQ(turn_of("study = 't'\n" + sweep).text, "study = 't'\n" + sweep);
 }
 

@@ -35,9 +35,9 @@ constexpr std::size_t kAll = 2 * (1 + 11 + 1);
 class Onlooker final : public Ranks {
  public:
   explicit Onlooker(std::function<void()> look) : look_(std::move(look)) {}
-  StepResult agree(StepResult mine, std::string&) override {
+  std::string agree(const std::string& failure) override {
     look_();
-    return mine;
+    return failure;
   }
 
  private:

@@ -74,7 +74,7 @@ TEST(Environment, AffinityIsThatOfTheProcess) {
 TEST(LimitedProcess, BringsBackWhatTheStepWroteAndTellsHowItEnded) {
   int value = 1;
   const auto end_of = [&](const std::function<void()>& step, std::optional<double> cpu_s = {},
-                          std::optional<double> memory_bytes = {}) {
+                          double memory_bytes = 1e18) {
     return run_within(cpu_s, memory_bytes, bytes_in(value), step);
   };
   EXPECT_EQ(end_of([&] { value = 42; }), RunStatus::ok);

@@ -19,7 +19,7 @@ std::map<std::size_t, std::vector<std::string>> differing(const std::vector<RunR
                                                           const std::vector<std::size_t>& indices) {
   std::map<std::size_t, std::vector<std::string>> columns;
   for (const std::size_t index : indices) {
-    const RunRecord now = replayed(rows[index], {.seed = 0});
+    const RunRecord now = replayed(rows[index], {.study = Study()});
     EXPECT_NE(now.status, RunStatus::violated);
     columns[index] = differing_columns(rows[index], now);
   }

@@ -72,9 +72,9 @@ weak_ranks = { ranks = [1, 2], repetitions = 5 }
   EXPECT_FALSE(sweep.include.at(0).matches("path", "diamond", 5));
   EXPECT_TRUE(sweep.exclude.at(0).matches("path", "diamond", 30));
   EXPECT_FALSE(sweep.exclude.at(0).matches("path", "diamond", 31));
-  EXPECT_EQ(sweep.timed.least, 7u);
-  EXPECT_EQ(sweep.timed.most, 9u);
-  EXPECT_EQ(sweep.timed.precision, 0.02);
+  EXPECT_EQ(sweep.least_timed, 7u);
+  EXPECT_EQ(sweep.most_timed, 9u);
+  EXPECT_EQ(sweep.timed_precision, 0.02);
   std::vector<std::string> batches;
   for (const auto& [phase, rules] : sweep.batches) {
     batches.push_back(fmt::format("{} {} {} {}", to_string(phase), fmt::join(rules.workers, ","),

@@ -120,7 +120,7 @@ TEST_F(Journal, AFlippedByteInTheMiddleIsAnErrorThatNamesTheOffset) {
   const std::string whole = read_file(path_);
   std::vector<std::uint64_t> offsets;
   scan_journal(open_input(path_).get(), path_, [&](const JournalRecord& record) {
-    if (record.kind == JournalKind::row) offsets.push_back(record.offset);
+    if (record.kind == kRow) offsets.push_back(record.offset);
     return true;
   });
   for (std::uint64_t at = kJournalStart.size(); at < offsets[11]; at += 3) {

@@ -68,7 +68,7 @@ TEST_F(ResultsFile, KeepsMissingValuesMissing) {
   EXPECT_EQ(run.bends[7], -1);
   EXPECT_EQ(run.peak_bytes, -1);
   EXPECT_TRUE(std::isnan(run.wall_s));
-  EXPECT_TRUE(std::isnan(run.slack[2]));
+  EXPECT_TRUE(std::isnan(run.theorem_bound[2]));
 }
 
 TEST_F(ResultsFile, EqualResultsGiveEqualBytes) {

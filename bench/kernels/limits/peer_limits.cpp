@@ -41,9 +41,9 @@ using Generator = double (*)(std::uint64_t n, std::uint32_t d, std::uint32_t see
 /// Edges and rows of the graph, as every user of the library pays for them.
 double generate_ours(std::uint64_t n, std::uint32_t d, std::uint32_t seed) {
   const OneThread one_thread;
-  const CpuStopwatch time;
+  const Stopwatch time(kCpuTime);
   benchmark::DoNotOptimize(random_regular(n, d, seed).num_edges());
-  return time.cpu_s();
+  return time.seconds();
 }
 
 double seconds_of_children() {
@@ -63,8 +63,8 @@ double generate_genrang(std::uint64_t n, std::uint32_t d, std::uint32_t seed) {
 }
 
 /// Ends igraph's graph and tells how long it took. @throws std::runtime_error on an error.
-double finished(igraph_error_t error, igraph_t& graph, const CpuStopwatch& time) {
-  const double seconds = time.cpu_s();
+double finished(igraph_error_t error, igraph_t& graph, const Stopwatch& time) {
+  const double seconds = time.seconds();
   if (error != IGRAPH_SUCCESS) throw std::runtime_error("igraph failed");
   igraph_destroy(&graph);
   return seconds;
@@ -73,7 +73,7 @@ double finished(igraph_error_t error, igraph_t& graph, const CpuStopwatch& time)
 double generate_igraph(std::uint64_t n, std::uint32_t d, std::uint32_t seed) {
   igraph_t graph;
   igraph_rng_seed(igraph_rng_default(), seed);
-  const CpuStopwatch time;
+  const Stopwatch time(kCpuTime);
   return finished(igraph_k_regular_game(&graph, static_cast<igraph_integer_t>(n),
                                         static_cast<igraph_integer_t>(d), false, false),
                   graph, time);
@@ -86,7 +86,7 @@ double generate_igraph_uniform(std::uint64_t n, std::uint32_t d, std::uint32_t s
   igraph_rng_seed(igraph_rng_default(), seed);
   igraph_vector_int_init(&degrees, static_cast<igraph_integer_t>(n));
   igraph_vector_int_fill(&degrees, static_cast<igraph_integer_t>(d));
-  const CpuStopwatch time;
+  const Stopwatch time(kCpuTime);
   const igraph_error_t error =
       igraph_degree_sequence_game(&graph, &degrees, nullptr, IGRAPH_DEGSEQ_CONFIGURATION_SIMPLE);
   igraph_vector_int_destroy(&degrees);
