@@ -74,8 +74,7 @@ void check_certificate(const RunRecord& run, const Add& add) {
 /// So many violations, and so many other findings, are kept with their message.
 constexpr std::size_t kKeptFindings = 1000;
 
-template <class Add>
-void check_whole_file(const Rows& rows, bool any_drawn, const Add& add) {
+void check_whole_file(const Rows& rows, bool any_drawn, const FindingSink& add) {
   if (!any_drawn) {
     add({FindingKind::nothing_measured,
          {},
@@ -177,8 +176,7 @@ CheckVerdict check(const Rows& rows, const std::string& one_study) {
   const ShowCommand show(rows);
   std::vector<bool> is_ok(rows.size()), violated(rows.size()), touched(rows.size());
   std::array<std::size_t, 2> kept{};  // others, violations
-  // @param run  the finding's row; null if it concerns the whole file.
-  const auto add = [&](Finding finding, const RunRecord* run) {
+  const FindingSink add = [&](Finding finding, const RunRecord* run) {
     const bool is_wrong = is_violation(finding.kind);
     verdict.violations += is_wrong;
     ++verdict.all_findings;
@@ -193,27 +191,26 @@ CheckVerdict check(const Rows& rows, const std::string& one_study) {
     verdict.findings.push_back(std::move(finding));
   };
   bool any_drawn = false;
-  std::optional<OneStudy> of_study;
-  if (!one_study.empty()) of_study.emplace();
+  RowKeys keys;
+  GraphSeeds graphs;
   std::vector<Fingerprint> prints(rows.size());
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const RunRecord& run = rows.run(row);
-    if (of_study) of_study->add(run, row);
+    if (!one_study.empty()) note_of_study(run, row, keys, graphs);
     for (Finding& finding : row_findings(run, row)) add(std::move(finding), &run);
     is_ok[row] = run.status == RunStatus::ok && !is_unproved(run);
     verdict.unproved += is_unproved(run);
-    any_drawn = any_drawn || run.status == RunStatus::ok || run.status == RunStatus::violated ||
-                run.status == RunStatus::measured;
+    any_drawn = any_drawn || is_drawn(run);
     verdict.refused += run.status == RunStatus::refused;
     verdict.measured += run.status == RunStatus::measured;
     prints[row] = fingerprint_of(run, row);
   }
-  if (of_study) of_study->require(rows, one_study);
-  of_study.reset();  // its memory
+  if (!one_study.empty()) {
+    require_one_study(rows, std::move(keys), std::move(graphs), one_study);
+  }
   std::sort(prints.begin(), prints.end());
   kept = {};  // of this second look at the rows as many are kept again
-  find_in_repetitions(
-      rows, prints, [&](Finding finding, const RunRecord& run) { add(std::move(finding), &run); });
+  find_in_repetitions(rows, prints, add);
   check_whole_file(rows, any_drawn, add);
   for (std::size_t row = 0; row < rows.size(); ++row) {  // once: violated, incomplete or proved
     verdict.violated_rows += violated[row];

@@ -67,26 +67,19 @@ struct CheckVerdict {
 /// Looks at every row, once and in file order, and again at those whose repetitions differ. Cost:
 /// O(r log r) time for r rows, 33 bytes per row.
 /// @param one_study  given: a path, for messages. The rows have to be of one study.
-/// @throws InputError as OneStudy::require.
+/// @throws InputError as require_one_study.
 CheckVerdict check(const Rows& rows, const std::string& one_study = "");
 
-/// Holds of rows what tells whether they can be of one study. Memory: 24 bytes per graph and per
-/// row.
-class OneStudy {
- public:
-  /// Takes the next row. @throws InputError if its key is none.
-  void add(const RunRecord& run, std::size_t row);
-  /// Requires of all rows that graphs of one family, parameters, n and index have one seed, that
-  /// keys are unique and not zero, and that there are no more rows than planned.
-  /// @throws InputError naming `path` and the rows.
-  void require(const Rows& rows, const std::string& path);
-
- private:
-  // Hash of family, parameters, n and index; seed; row.
-  std::vector<std::tuple<std::size_t, std::uint64_t, std::size_t>> graphs_;
-  std::vector<std::pair<RowKey, std::size_t>> keys_;
-  std::string former_;  // graph: neighbours are mostly of one
-};
+/// Hold of rows what tells whether they can be of one study: their keys, and of graphs a hash of
+/// family, parameters, n and index, the seed, and a row. Memory: 24 bytes per row and per graph.
+using RowKeys = std::vector<std::pair<RowKey, std::size_t>>;
+using GraphSeeds = std::vector<std::tuple<std::size_t, std::uint64_t, std::size_t>>;
+/// Takes the next row. @throws InputError if its key is none.
+void note_of_study(const RunRecord& run, std::size_t row, RowKeys& keys, GraphSeeds& graphs);
+/// Requires of all rows that graphs of one family, parameters, n and index have one seed, that
+/// keys are unique and not zero, and that there are no more rows than planned.
+/// @throws InputError naming `path` and the rows.
+void require_one_study(const Rows& rows, RowKeys keys, GraphSeeds graphs, const std::string& path);
 
 /// Returns which graph, drawn how: rows that agree in it are repetitions.
 std::string repetition_key(const RunRecord& run);
@@ -101,7 +94,8 @@ struct Fingerprint {
 };
 Fingerprint fingerprint_of(const RunRecord& run, std::size_t row);
 
-using FindingSink = std::function<void(Finding, const RunRecord&)>;
+/// Takes a finding and its row; null if it concerns the whole file.
+using FindingSink = std::function<void(Finding, const RunRecord*)>;
 
 /// Finds measurements that stand twice and repetitions that differ. Only rows whose fingerprints
 /// are suspicious are read. @param sorted  the fingerprints of all rows.

@@ -51,8 +51,8 @@ std::string graph_identity(const RunRecord& run) {
   return fmt::format("{}\n{}\n{}\n{}", run.family, run.parameters, run.n, run.instance_index);
 }
 
-// @param keys  with the rows that have them. @throws InputError if one is zero or there twice.
-void require_keys(std::vector<std::pair<RowKey, std::size_t>> keys, const std::string& path) {
+// @throws InputError if one is zero or there twice.
+void require_keys(RowKeys keys, const std::string& path) {
   std::sort(keys.begin(), keys.end());
   if (!keys.empty() && keys.front().first == RowKey()) {
     throw InputError(fmt::format("{}: the key of row {} is zero", path, keys.front().second));
@@ -104,40 +104,42 @@ void find_in_repetitions(const Rows& rows, const std::vector<Fingerprint>& sorte
                .insert({drawing, run.level, asked_certificate(run), run.phase, run.workers,
                         run.repetition})
                .second) {
-        found({FindingKind::duplicate, print.row, "the same measurement stands twice"}, run);
+        found({FindingKind::duplicate, print.row, "the same measurement stands twice"}, &run);
       }
       if (run.status != RunStatus::ok) continue;
       const RunRecord& other = first.try_emplace(drawing, run).first->second;
       if (drawing_columns(run) != drawing_columns(other)) {
         found({FindingKind::not_repeatable, print.row,
                "another drawing than the first repetition's of the same graph"},
-              run);
+              &run);
       }
     }
   }
 }
 
-void OneStudy::add(const RunRecord& run, std::size_t row) {
-  if (!run.row_key.empty()) keys_.emplace_back(parse_row_key(run.row_key), row);
+void note_of_study(const RunRecord& run, std::size_t row, RowKeys& keys, GraphSeeds& graphs) {
+  if (!run.row_key.empty()) keys.emplace_back(parse_row_key(run.row_key), row);
   if (run.n < 0) return;
-  std::string graph = graph_identity(run);
-  if (graph == former_ && run.seed == std::get<1>(graphs_.back())) return;
-  graphs_.emplace_back(std::hash<std::string>()(graph), run.seed, row);
-  former_ = std::move(graph);
+  const std::tuple graph(std::hash<std::string>()(graph_identity(run)), run.seed, row);
+  const auto is_it = [&](const auto& former) {
+    return std::get<0>(former) == std::get<0>(graph) && std::get<1>(former) == run.seed;
+  };
+  if (graphs.empty() || !is_it(graphs.back()))
+    graphs.push_back(graph);  // neighbours are mostly one
 }
 
-void OneStudy::require(const Rows& rows, const std::string& path) {
-  require_keys(std::move(keys_), path);
+void require_one_study(const Rows& rows, RowKeys keys, GraphSeeds graphs, const std::string& path) {
+  require_keys(std::move(keys), path);
   if (rows.identity().planned_rows >= 0 &&
       rows.size() > static_cast<std::size_t>(rows.identity().planned_rows)) {
     throw InputError(fmt::format("{}: {} rows, but its study plans {}: there is no row {}", path,
                                  rows.size(), rows.identity().planned_rows,
                                  rows.identity().planned_rows));
   }
-  std::sort(graphs_.begin(), graphs_.end());
-  for (std::size_t i = 1; i < graphs_.size(); ++i) {
-    const auto& [identity, seed, row] = graphs_[i - 1];
-    const auto& [next_identity, next_seed, next_row] = graphs_[i];
+  std::sort(graphs.begin(), graphs.end());
+  for (std::size_t i = 1; i < graphs.size(); ++i) {
+    const auto& [identity, seed, row] = graphs[i - 1];
+    const auto& [next_identity, next_seed, next_row] = graphs[i];
     if (identity != next_identity || seed == next_seed) continue;
     const auto [first, second] = std::minmax(row, next_row);
     RunRecord run;

@@ -85,8 +85,6 @@ std::string TableCell::csv() const {
   return text;
 }
 
-void Table::add(std::initializer_list<TableCell> row) { add(std::vector<TableCell>(row)); }
-
 void Table::add(std::vector<TableCell> row) {
   expect(row.size() == columns.size(), "a row has a cell for every column of its table");
   std::ranges::move(row, std::back_inserter(cells));

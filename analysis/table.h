@@ -2,7 +2,6 @@
 
 #include <concepts>
 #include <cstdint>
-#include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -65,7 +64,6 @@ struct Table {
 
   /// Adds a row.
   /// @param row  as many cells as there are columns.
-  void add(std::initializer_list<TableCell> row);
   void add(std::vector<TableCell> row);
   std::size_t size() const { return cells.size() / columns.size(); }
   bool empty() const { return cells.empty(); }

@@ -168,8 +168,7 @@ void Tallying::add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& op
   curve.unproved += run.status == RunStatus::ok && run.violations <= 0 &&
                     (run.violations < 0 || !run.certificate.empty());
   if (is_batched(run.phase)) add_batch(run, curve.key);
-  if (run.status == RunStatus::timeout || run.status == RunStatus::out_of_memory ||
-      run.status == RunStatus::crashed) {
+  if (is_unfinished(run.status)) {
     open.censored = true;
     if (open.n >= 1 && curve.censored.size() < kMostCensored) {
       DrawnGraph& ended = curve.censored.emplace_back();
@@ -177,7 +176,7 @@ void Tallying::add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& op
       ended.m = run.m, ended.seed = run.seed;
     }
   }
-  if (run.status != RunStatus::ok && run.status != RunStatus::measured) return;
+  if (!is_good(run.status)) return;
   curve.has_own_unit |= run.status == RunStatus::measured;
   if (!open.drawn) {
     open.drawn = true;

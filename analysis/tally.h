@@ -99,6 +99,13 @@ struct AxisBounds {
   DrawnGraph worst;  ///< the graph of worst_slack
 };
 
+/// Returns the largest number of bends of which there are edges; 0 without any.
+template <class Integer>
+std::size_t most_bends(const std::array<Integer, 8>& bends) {
+  std::size_t most = bends.size() - 1;
+  while (most > 0 && bends[most] <= 0) --most;
+  return most;
+}
 /// Returns 1 - extent / bound; missing if one of the two is, or the bound is 0.
 double slack_of(std::int64_t extent, double bound);
 /// Returns the natural logarithm of a positive finite value; missing for others.

@@ -187,7 +187,7 @@ std::size_t cells_of(const Study& study) {
 /// As many as one cell among all needs, and one to spare; at least 15.
 std::size_t rounds_of(const CompareArguments& arguments, const Study& study) {
   if (arguments.rounds > 0) return arguments.rounds;
-  return std::max<std::size_t>(15, fewest_pairs(arguments.options.time, cells_of(study)) + 1);
+  return std::max<std::size_t>(15, fewest_pairs(arguments.options, cells_of(study)) + 1);
 }
 
 int say_interrupted(const std::string& where) {
@@ -321,10 +321,9 @@ void add_options(CLI::App& verb, CompareArguments& a) {
       ->check(whole_number(0, 1023));
   verb.add_option("--threshold", a.threshold_percent, "percent of time that matter")
       ->check(number_between(0.1, 1000));
-  verb.add_option("--significance", a.options.time.significance, "largest p-value of one cell")
+  verb.add_option("--significance", a.options.significance, "largest p-value of one cell")
       ->check(number_between(1e-12, 0.5));
-  verb.add_option("--fdr", a.options.time.false_discovery_rate,
-                  "false discovery rate over all cells")
+  verb.add_option("--fdr", a.options.false_discovery_rate, "false discovery rate over all cells")
       ->check(number_between(1e-12, 0.5));
   verb.add_flag("--time-always", a.options.time_always, "judge times of unlike environments too");
   verb.add_flag("--drawings-only", a.options.drawings_only,
@@ -360,7 +359,7 @@ void add_compare(CLI::App& app, int& exit_code) {
     refuse_unsafe_outputs({.inputs = arguments->files,
                            .outputs = {arguments->json, arguments->markdown},
                            .force = arguments->force});
-    arguments->options.time.threshold = arguments->threshold_percent / 100;
+    arguments->options.threshold = arguments->threshold_percent / 100;
     exit_code = !arguments->turns.empty()  ? compare_in_turns(*arguments)
                 : !arguments->base.empty() ? compare_builds(*arguments)
                                            : compare_files(*arguments);

@@ -11,8 +11,9 @@
 #include "ar3d/analysis/report/report.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/number.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/bench/compare/interleave.h"
+#include "ar3d/bench/measure/processes.h"
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"
@@ -74,10 +75,12 @@ std::string measured_version(const HistoryArguments& arguments, const Rows& rows
   return version;
 }
 
+/// How many commits there are up to this one: more than up to each of its ancestors.
 std::int64_t index_of(const HistoryArguments& arguments, const std::string& version) {
   if (arguments.index >= 0) return arguments.index;
-  const std::int64_t index = is_commit(version) ? commits_up_to(version) : -1;
-  if (index >= 0) return index;
+  std::vector<std::string> count;
+  if (is_commit(version)) count = ask_git({"rev-list", "--count", version, "--"});
+  if (const auto index = integer_of<std::int64_t>(count.empty() ? "" : count[0])) return *index;
   throw InputError(
       fmt::format("git in the working directory does not know the commit '{}' of {}: say with "
                   "--place where it stands in the order",
@@ -140,7 +143,7 @@ int report_history(const HistoryArguments& arguments) {
     }
   }
   CompareOptions rule;
-  rule.time.threshold = arguments.threshold_percent / 100;
+  rule.threshold = arguments.threshold_percent / 100;
   const History history = read_history(arguments.folder, rule);
   for (const std::string& output : {page, arguments.json}) {
     if (!output.empty() && output != "-") require_writable(output);

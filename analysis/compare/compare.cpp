@@ -45,14 +45,11 @@ void require_same_study(const Results& base, const Results& now) {
 
 /// Takes in the pairs of one cell, of one round or of all.
 void add_pairs(const PairedCell& cell, const CompareOptions& options, CellComparison& into) {
-  const auto [instructions, cycles] = count_change(cell);
-  if (!std::isnan(instructions)) into.instructions = instructions, into.cycles = cycles;
-  for (FixedChange& change : count_changes(instructions, cycles, options.instruction_threshold,
-                                           options.cycle_threshold)) {
-    into.fixed.push_back(std::move(change));
-  }
+  std::array<double, 2> logs{};
+  std::ranges::move(count_changes(cell, options, logs), std::back_inserter(into.fixed));
+  if (!std::isnan(logs[0])) into.instructions = logs[0], into.cycles = logs[1];
   for (const PairedRow& row : cell.rows) {
-    for (FixedChange& change : fixed_changes(row)) into.fixed.push_back(std::move(change));
+    std::ranges::move(fixed_changes(row), std::back_inserter(into.fixed));
     double& largest = into.log2_volume_change;
     const double change = log2_volume_change(row);
     if (std::abs(change) > std::abs(largest)) largest = change;
@@ -70,12 +67,12 @@ FixedChange judge_fixed(const std::vector<FixedChange>& changes) {
   return {worst, std::move(reason)};
 }
 
-std::size_t rounds_needed(const Comparison& comparison, const TimeRule& rule) {
+std::size_t rounds_needed(const Comparison& comparison, const CompareOptions& rule) {
   return comparison.times ? kFewestRounds : fewest_pairs(rule);
 }
 
 std::string undecided_reason(const TimeVerdict& time, const Comparison& comparison,
-                             const TimeRule& rule) {
+                             const CompareOptions& rule) {
   const std::size_t enough = rounds_needed(comparison, rule);
   if (time.pairs == 0) return "no time on both sides";
   if (time.pairs < enough) {
@@ -89,7 +86,7 @@ std::string undecided_reason(const TimeVerdict& time, const Comparison& comparis
 
 /// Weighs the noiseless verdict and the time's together. What was not drawn on both sides has no
 /// time to judge. Where counts decide, a slower time is a contradiction and no regression.
-void judge(CellComparison& cell, const TimeRule& rule, const Comparison& comparison) {
+void judge(CellComparison& cell, const CompareOptions& rule, const Comparison& comparison) {
   std::tie(cell.verdict, cell.reason) = judge_fixed(cell.fixed);
   const std::string fixed_reason = cell.reason;
   const bool is_heavy = cell.verdict >= Verdict::regressed;
@@ -99,25 +96,23 @@ void judge(CellComparison& cell, const TimeRule& rule, const Comparison& compari
     cell.reason = reason + (fixed_reason.empty() ? "" : "; " + fixed_reason);
   };
   if (cell.is_counted()) {
-    if (comparison.time_judged && cell.time.change == TimeChange::slower) {
+    if (comparison.time_judged && cell.time.change == Verdict::regressed) {
       set(Verdict::inconclusive, "slower, though its counts have not grown");
     }
     return;
   }
   if (!comparison.time_judged) return set(Verdict::unjudged, "times not judged");
-  if (cell.time.change == TimeChange::same) return;
-  if (cell.time.change == TimeChange::undecided) {
-    return set(Verdict::inconclusive, undecided_reason(cell.time, comparison, rule));
+  const Verdict change = cell.time.change;
+  if (change == Verdict::pass) return;
+  if (change == Verdict::inconclusive) {
+    return set(change, undecided_reason(cell.time, comparison, rule));
   }
-  const bool is_slower = cell.time.change == TimeChange::slower;
-  const std::string word = is_slower ? "slower" : "faster";
-  if (cell.time.follows_setting) {
-    return set(is_slower ? Verdict::regressed : Verdict::improved, word + " (as its setting)");
-  }
+  const std::string word = change == Verdict::regressed ? "slower" : "faster";
+  if (cell.time.follows_setting) return set(change, word + " (as its setting)");
   if (comparison.times && !comparison.times->is_known) {
     return set(Verdict::inconclusive, word + " than all others on a machine of unknown speed");
   }
-  set(is_slower ? Verdict::regressed : Verdict::improved, word);
+  set(change, word);
 }
 
 /// @param settings  what rounds tell of each; empty for two files.
@@ -126,8 +121,8 @@ Comparison judge_all(const std::vector<TimeVerdict>& times, const SettingVerdict
   for (std::size_t i = 0; i < times.size(); ++i) {
     CellComparison& cell = comparison.cells[i];
     cell.time = times[i];
-    cell.is_timed_enough = cell.time.pairs >= rounds_needed(comparison, options.time);
-    judge(cell, options.time, comparison);
+    cell.is_timed_enough = cell.time.pairs >= rounds_needed(comparison, options);
+    judge(cell, options, comparison);
   }
   judge_settings(settings, comparison);
   return comparison;
@@ -144,7 +139,7 @@ std::string last_rounds(const Results& results) {
 
 /// Returns what two files' times say of each cell; `comparison.times` of all.
 std::vector<TimeVerdict> judge_files(const std::vector<CellTimes>& cells, const Results& base,
-                                     const Results& now, const TimeRule& rule,
+                                     const Results& now, const CompareOptions& rule,
                                      Comparison& comparison) {
   std::array<double, 3> yardsticks = yardsticks_of(now);
   const std::array<double, 3> before = yardsticks_of(base);
@@ -176,48 +171,30 @@ void note_gaps(const Results& results, const char* side, Comparison& comparison)
   }
 }
 
-/// A line that is there already is not said again.
-void add_once(std::vector<std::string>& lines, std::string line) {
-  if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
-}
-
-void note_pairing(const Pairing& pairing, Comparison& comparison) {
+/// The pairs of two results, and what is to be said of them.
+std::vector<PairedCell> pairs_of(const Results& base, const Results& now, Comparison& comparison) {
+  std::vector<PairedCell> cells = pair_rows(base, now, comparison.incomplete, comparison.remarks);
   std::size_t untimed = 0;
-  for (const PairedCell& cell : pairing.cells) {
+  for (const PairedCell& cell : cells) {
     comparison.rows += cell.rows.size();
     untimed += rows_without_time(cell);
-  }
-  if (pairing.missing > 0) {
-    add_once(comparison.incomplete, fmt::format("NEW lacks {} measurements of BASE; the first: {}",
-                                                pairing.missing, one_line(pairing.first_missing)));
   }
   if (untimed > 0) {
     add_once(
         comparison.incomplete,
         fmt::format("{} drawn measurements have no time above 0 (NaN, 0 or infinite)", untimed));
   }
-  const auto is_unfinished = [](const RunRecord& run) {
-    return run.status == RunStatus::timeout || run.status == RunStatus::out_of_memory ||
-           run.status == RunStatus::crashed;
+  const auto failed = [](const PairedRow& row) {
+    return std::ranges::all_of(row, is_unfinished, &RunRecord::status);
   };
-  const auto failed = [&](const PairedRow& row) {
-    return is_unfinished(*row.base) && is_unfinished(*row.now);
-  };
-  for (const PairedCell& cell : pairing.cells) {
+  for (const PairedCell& cell : cells) {
     const auto at = std::ranges::find_if(cell.rows, failed);
     if (at == cell.rows.end()) continue;
     add_once(comparison.incomplete,
              fmt::format("{} came out on neither side: {}", one_line(cell_label(cell.key, cell.n)),
-                         one_line(at->now->message)));
+                         one_line(at->back()->message)));
   }
-  if (pairing.fewer > 0) {
-    add_once(comparison.remarks,
-             fmt::format("{} timed repetitions of BASE have no partner", pairing.fewer));
-  }
-  if (pairing.extra > 0) {
-    add_once(comparison.remarks,
-             fmt::format("{} measurements of NEW are not in BASE", pairing.extra));
-  }
+  return cells;
 }
 
 /// Marks of sanitised or unoptimised builds.
@@ -279,7 +256,7 @@ Comparison first_look(const Results& base, const Results& now, const CompareOpti
 
 /// As judge_times, with the smallest change that each shows.
 std::vector<TimeVerdict> judge_rounds(const std::vector<std::vector<double>>& log_ratios,
-                                      const TimeRule& rule) {
+                                      const CompareOptions& rule) {
   std::vector<TimeVerdict> times = judge_times(log_ratios, rule);
   for (std::size_t i = 0; i < times.size(); ++i) {
     std::vector<double> noise = log_ratios[i];
@@ -294,14 +271,12 @@ std::vector<TimeVerdict> judge_rounds(const std::vector<std::vector<double>>& lo
 Comparison compare(const Results& base, const Results& now, const CompareOptions& options) {
   require_same_study(base, now);
   Comparison comparison = first_look(base, now, options, false);
-  const Pairing pairing = pair_rows(base, now);
-  note_pairing(pairing, comparison);
   std::vector<CellTimes> cells;
-  for (const PairedCell& cell : pairing.cells) {
+  for (const PairedCell& cell : pairs_of(base, now, comparison)) {
     add_pairs(cell, options, comparison.cells.emplace_back(unjudged(cell)));
     cells.push_back(cell_times(cell));
   }
-  const std::vector<TimeVerdict> times = judge_files(cells, base, now, options.time, comparison);
+  const std::vector<TimeVerdict> times = judge_files(cells, base, now, options, comparison);
   return judge_all(times, {}, std::move(comparison), options);
 }
 
@@ -313,10 +288,8 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
   std::map<std::string, std::vector<double>> rounds_of;  // of a setting
   for (std::size_t round = 0; round < base.size(); ++round) {
     require_same_study(base[round], now[round]);
-    const Pairing pairing = pair_rows(base[round], now[round]);
-    note_pairing(pairing, comparison);
     std::map<std::string, std::vector<double>> of_round;
-    for (const PairedCell& cell : pairing.cells) {
+    for (const PairedCell& cell : pairs_of(base[round], now[round], comparison)) {
       const auto [index, is_new] =
           index_of.try_emplace({cell.key, cell.n}, comparison.cells.size());
       if (is_new) comparison.cells.push_back(unjudged(cell));
@@ -332,14 +305,14 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
   std::vector<std::vector<double>> of_cells, of_settings;
   for (const CellComparison& cell : comparison.cells) of_cells.push_back(cell.log_ratios);
   for (const auto& [name, ratios] : rounds_of) of_settings.push_back(ratios);
-  std::vector<TimeVerdict> times = judge_rounds(of_cells, options.time);
-  const std::vector<TimeVerdict> all = judge_rounds(of_settings, options.time);
+  std::vector<TimeVerdict> times = judge_rounds(of_cells, options);
+  const std::vector<TimeVerdict> all = judge_rounds(of_settings, options);
   SettingVerdicts settings;
   for (const auto& [name, ratios] : rounds_of) settings[name] = all[settings.size()];
   for (std::size_t i = 0; i < times.size(); ++i) {
     const auto setting = settings.find(algorithm_label(comparison.cells[i].key));
     if (setting == settings.end()) continue;
-    follow_setting(setting->second, of_cells[i], options.time, times.size(), times[i]);
+    follow_setting(setting->second, of_cells[i], options, times.size(), times[i]);
   }
   return judge_all(times, settings, std::move(comparison), options);
 }

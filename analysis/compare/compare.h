@@ -43,14 +43,6 @@ std::string load_of_other_work(const std::vector<EnvironmentEntry>& environment,
 /// sessions count together. Empty: alike.
 std::vector<EnvironmentChange> environment_changes(const Results& base, const Results& now);
 
-struct CompareOptions {
-  TimeRule time;
-  double instruction_threshold = 0.01;  ///< smaller changes of counted instructions do not matter
-  double cycle_threshold = 0.05;        ///< of estimated cycles, which feel where data lie
-  bool time_always = false;             ///< judge times of unlike environments too
-  bool drawings_only = false;           ///< judge what has no noise, and no times
-};
-
 /// Describes the verdict on one cell: an algorithm with its options on a family at one size.
 struct CellComparison {
   CurveKey key;
@@ -157,7 +149,7 @@ using SettingVerdicts = std::map<std::string, TimeVerdict>;
 /// false_discovery_rate.
 /// @param log_ratios  of the cell's rounds.
 void follow_setting(const TimeVerdict& setting, std::vector<double> log_ratios,
-                    const TimeRule& rule, std::size_t tests, TimeVerdict& cell);
+                    const CompareOptions& rule, std::size_t tests, TimeVerdict& cell);
 
 /// Fills Comparison::settings from its cells. @param rounds  of settings in turns; of two files
 /// Comparison::times says it.

@@ -191,15 +191,11 @@ std::string largest_changes(const Comparison& comparison, std::size_t most) {
   return text;
 }
 
-bool is_unlike(const Comparison& comparison) {
-  return std::any_of(comparison.environment.begin(), comparison.environment.end(),
-                     [](const EnvironmentChange& change) { return change.differs(); });
-}
-
 std::string environment_text(const Comparison& comparison) {
   if (comparison.environment.empty() || comparison.drawings_only) return "";
+  const bool is_unlike = std::ranges::any_of(comparison.environment, &EnvironmentChange::differs);
   std::string text = fmt::format(
-      "{}: times are {}\n", is_unlike(comparison) ? "UNLIKE ENVIRONMENTS" : "BUSY MACHINE",
+      "{}: times are {}\n", is_unlike ? "UNLIKE ENVIRONMENTS" : "BUSY MACHINE",
       comparison.time_judged ? "judged all the same, as asked" : "shown, but not judged");
   for (const EnvironmentChange& change : comparison.environment) {
     text += fmt::format("  {}: {}{}\n", one_line(change.name), one_line(change.base),
@@ -218,11 +214,10 @@ std::size_t other_drawings(const Comparison& comparison) {
 }
 
 std::string rule_text(const CompareOptions& options) {
-  const TimeRule& rule = options.time;
   return fmt::format(
       "time changes by {:.3g} % or more; instructions by more than {:.3g} %, estimated cycles by "
       "more than {:.3g} %; volume, bends, status, certificate: any change for the worse",
-      100 * rule.threshold, 100 * options.instruction_threshold, 100 * options.cycle_threshold);
+      100 * options.threshold, 100 * options.instruction_threshold, 100 * options.cycle_threshold);
 }
 
 std::string counts_text(const Comparison& comparison) {
@@ -260,10 +255,10 @@ std::string comparison_json(const Comparison& comparison, const CompareOptions& 
   json["verdict"] = comparison.word();
   json["exit_code"] = comparison.exit_code();
   json["judged"] = comparison.judged();
-  json["rule"] = {{"threshold", options.time.threshold},
-                  {"significance", options.time.significance},
-                  {"false_discovery_rate", options.time.false_discovery_rate},
-                  {"confidence", options.time.confidence},
+  json["rule"] = {{"threshold", options.threshold},
+                  {"significance", options.significance},
+                  {"false_discovery_rate", options.false_discovery_rate},
+                  {"confidence", options.confidence},
                   {"instruction_threshold", options.instruction_threshold},
                   {"cycle_threshold", options.cycle_threshold},
                   {"drawings_only", options.drawings_only}};

@@ -56,7 +56,7 @@ SettingTimes setting_of(const std::vector<const CellTimes*>& cells) {
 /// The rules of docs/analysis.md, "Then times", in their order.
 class FileJudge {
  public:
-  FileJudge(const std::vector<CellTimes>& cells, const TimeRule& rule)
+  FileJudge(const std::vector<CellTimes>& cells, const CompareOptions& rule)
       : cells_(cells), limit_(std::log1p(rule.threshold)) {
     for (const CellTimes& cell : cells) {
       if (cell.rounds == 0) continue;
@@ -120,10 +120,10 @@ class FileJudge {
     setting.least = limit_ / 2 + setting.error + (has_others_ ? 0 : kWithoutOthers);
     const double size = std::abs(setting.distance);
     if (size > setting.least) {
-      setting.change = setting.distance > 0 ? TimeChange::slower : TimeChange::faster;
+      setting.change = setting.distance > 0 ? Verdict::regressed : Verdict::improved;
     } else if (times_.is_known && size - setting.error <= limit_ / 2 &&
                size + setting.error < limit_) {
-      setting.change = TimeChange::same;
+      setting.change = Verdict::pass;
     }
   }
 
@@ -132,17 +132,17 @@ class FileJudge {
     return std::hypot(kErrors * cell.spread, setting.error);
   }
 
-  TimeChange change_of_cell(const CellTimes& cell) const {
-    if (cell.rounds < kFewestRounds) return TimeChange::undecided;
+  Verdict change_of_cell(const CellTimes& cell) const {
+    if (cell.rounds < kFewestRounds) return Verdict::inconclusive;
     const SettingTimes& setting = times_.settings[index_of_.at(cell.setting)];
     const double alone = cell.ratio - setting.ratio;
     const double placed = limit_ * std::max(2.0, kPlaced / static_cast<double>(cell.graphs));
     const double sure = std::max({placed, kAlone * times_.residual, kErrors * cell.spread});
     if (std::abs(alone) > sure && num_timed_ >= 4 * kFewestSettings) {
-      return alone > 0 ? TimeChange::slower : TimeChange::faster;
+      return alone > 0 ? Verdict::regressed : Verdict::improved;
     }
     const double noise = std::min(kNoise * times_.residual, kMostNoise * limit_);
-    return std::abs(alone) <= std::max(limit_, noise) ? setting.change : TimeChange::undecided;
+    return std::abs(alone) <= std::max(limit_, noise) ? setting.change : Verdict::inconclusive;
   }
 
   const std::vector<CellTimes>& cells_;
@@ -189,12 +189,12 @@ CellTimes cell_times(const PairedCell& cell) {
   std::array<GraphRounds, 2> sides;
   const std::vector<PairedRow> rows = timed_rows(cell);
   const bool is_corrected = std::ranges::all_of(rows, [](const PairedRow& row) {
-    return !std::isnan(log_slowness(*row.base) + log_slowness(*row.now));
+    return !std::isnan(log_slowness(*row[0]) + log_slowness(*row[1]));
   });
   for (const PairedRow& row : rows) {
     for (std::size_t side = 0; side < 2; ++side) {
-      const RunRecord& run = side == 0 ? *row.base : *row.now;
-      sides[side][{row.base->requested_n, row.base->instance_index, row.base->seed}].emplace_back(
+      const RunRecord& run = *row[side];
+      sides[side][{row[0]->requested_n, row[0]->instance_index, row[0]->seed}].emplace_back(
           run.repetition, is_corrected ? log_corrected_time(run) : std::log(drawing_time_s(run)));
     }
   }
@@ -202,7 +202,7 @@ CellTimes cell_times(const PairedCell& cell) {
 }
 
 FileTimes judge_file_times(const std::vector<CellTimes>& cells,
-                           const std::array<double, 3>& yardsticks, const TimeRule& rule) {
+                           const std::array<double, 3>& yardsticks, const CompareOptions& rule) {
   return FileJudge(cells, rule).judged(yardsticks);
 }
 

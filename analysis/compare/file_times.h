@@ -47,7 +47,7 @@ struct SettingTimes {
   double distance = 0;  ///< of `ratio` from the common factor
   double error = 0;     ///< the distance is within +- error
   double least = 0;     ///< distance from which on it has changed
-  TimeChange change = TimeChange::undecided;
+  Verdict change = Verdict::inconclusive;
 };
 
 /// Holds what times of two files say, step by step as docs/analysis.md does.
@@ -59,7 +59,7 @@ struct FileTimes {
   double residual = 0;                 ///< robust standard deviation of cells about their setting
   bool is_known = true;                ///< the yardsticks account for how fast the machine was
   std::vector<SettingTimes> settings;  ///< those with a time, in the order of the cells
-  std::vector<TimeChange> cells;       ///< one for each cell
+  std::vector<Verdict> cells;          ///< one for each cell
   std::vector<double> errors;  ///< of each cell: its ratio is within +- error; NaN: not timed
 };
 
@@ -74,7 +74,7 @@ inline constexpr double kWithoutOthers = 0.05;
 /// @param cells  of one setting each.
 /// @param yardsticks  as FileTimes. Cost: O(c log c) for c cells.
 FileTimes judge_file_times(const std::vector<CellTimes>& cells,
-                           const std::array<double, 3>& yardsticks, const TimeRule& rule);
+                           const std::array<double, 3>& yardsticks, const CompareOptions& rule);
 
 /// Returns medians of the logarithms of the yardsticks of all rows; NaN: there are none.
 std::array<double, 3> yardsticks_of(const Results& results);

@@ -9,6 +9,8 @@
 
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/statistics.h"
+#include "ar3d/analysis/tally.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
@@ -57,12 +59,10 @@ const RunRecord* partner_of(const RunRecord& run, const RowIndex& rows, const Ke
   return is_same ? at->second : nullptr;
 }
 
-bool is_time(double seconds) { return std::isfinite(seconds) && seconds > 0; }
-
 /// The phase whose times count in the cell.
 RunPhase timed_phase(const PairedCell& cell) {
   const bool timing = std::any_of(cell.rows.begin(), cell.rows.end(), [](const PairedRow& row) {
-    return row.base->phase == RunPhase::timing;
+    return row[0]->phase == RunPhase::timing;
   });
   return timing ? RunPhase::timing : RunPhase::metrics;
 }
@@ -72,13 +72,16 @@ std::vector<PairedRow> candidates(const PairedCell& cell) {
   const RunPhase phase = timed_phase(cell);
   std::vector<PairedRow> rows;
   for (const PairedRow& row : cell.rows) {
-    if (row.base->phase == phase && both_drawn(row)) rows.push_back(row);
+    if (row[0]->phase == phase && both_drawn(row)) rows.push_back(row);
   }
   return rows;
 }
 
 bool has_times(const PairedRow& row) {
-  return is_time(drawing_time_s(*row.base)) && is_time(drawing_time_s(*row.now));
+  return std::ranges::all_of(row, [](const RunRecord* run) {
+    const double seconds = drawing_time_s(*run);
+    return std::isfinite(seconds) && seconds > 0;
+  });
 }
 
 using Wide = boost::multiprecision::uint256_t;  // holds every product of three 64-bit numbers
@@ -107,14 +110,6 @@ Wide total_bends(const RunRecord& run) {
   Wide total = 0;
   for (std::size_t b = 0; b < run.bends.size(); ++b) total += Wide(run.bends[b]) * b;
   return total;
-}
-
-std::size_t most_bends(const RunRecord& run) {
-  std::size_t most = 0;
-  for (std::size_t b = 0; b < run.bends.size(); ++b) {
-    if (run.bends[b] > 0) most = b;
-  }
-  return most;
 }
 
 Verdict direction(bool worse) { return worse ? Verdict::regressed : Verdict::improved; }
@@ -161,7 +156,7 @@ void compare_volume(const RunRecord& base, const RunRecord& now,
 
 void compare_bends(const RunRecord& base, const RunRecord& now, std::vector<FixedChange>& changes) {
   if (!has_bends(base) || !has_bends(now) || base.bends == now.bends) return;
-  const std::size_t most_before = most_bends(base), most_after = most_bends(now);
+  const std::size_t most_before = most_bends(base.bends), most_after = most_bends(now.bends);
   if (most_before != most_after) {
     changes.push_back(
         {direction(most_after > most_before),
@@ -178,7 +173,7 @@ void compare_bends(const RunRecord& base, const RunRecord& now, std::vector<Fixe
 constexpr double kMeasuredTolerance = 0.01;
 
 bool is_measured(const PairedRow& row) {
-  return row.base->status == RunStatus::measured || row.now->status == RunStatus::measured;
+  return std::ranges::count(row, RunStatus::measured, &RunRecord::status) > 0;
 }
 
 /// Coordinates of such a program have any unit: its volume is counted in smallest distances.
@@ -202,10 +197,7 @@ void compare_measured(const RunRecord& base, const RunRecord& now,
 }  // namespace
 
 bool both_drawn(const PairedRow& row) {
-  const auto is_drawn = [](const RunRecord& run) {
-    return run.status == RunStatus::ok || run.status == RunStatus::measured;
-  };
-  return is_drawn(*row.base) && is_drawn(*row.now);
+  return std::ranges::all_of(row, is_good, &RunRecord::status);
 }
 
 std::string row_label(const RunRecord& run) {
@@ -217,32 +209,48 @@ std::string row_label(const RunRecord& run) {
   return label;
 }
 
-Pairing pair_rows(const Results& base, const Results& now) {
+void add_once(std::vector<std::string>& lines, const std::string& line) {
+  if (std::ranges::count(lines, line) == 0) lines.push_back(line);
+}
+
+std::vector<PairedCell> pair_rows(const Results& base, const Results& now,
+                                  std::vector<std::string>& incomplete,
+                                  std::vector<std::string>& remarks) {
   const RowIndex new_rows = index_of(now, "NEW");
   const KeyIndex new_keys = keys_of(now);
   index_of(base, "BASE");
-  Pairing pairing;
+  std::vector<PairedCell> cells;
   std::map<std::pair<CurveKey, std::int64_t>, std::size_t> cell_of;
-  std::size_t matched = 0;
+  std::size_t matched = 0, missing = 0, fewer = 0;
+  std::string first_missing;
   for (const RunRecord& run : base.runs) {
     const RunRecord* const partner = partner_of(run, new_rows, new_keys);
     if (partner == nullptr) {
       const bool may_lack = run.phase == RunPhase::timing && run.repetition > 0;
       if (may_lack) {
-        ++pairing.fewer;
-      } else if (pairing.missing++ == 0) {
-        pairing.first_missing = row_label(run);
+        ++fewer;
+      } else if (missing++ == 0) {
+        first_missing = row_label(run);
       }
       continue;
     }
     ++matched;
     const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
-    const auto [cell, is_new] = cell_of.try_emplace({curve_of(run), n}, pairing.cells.size());
-    if (is_new) pairing.cells.push_back({curve_of(run), n, {}});
-    pairing.cells[cell->second].rows.push_back({&run, partner});
+    const auto [cell, is_new] = cell_of.try_emplace({curve_of(run), n}, cells.size());
+    if (is_new) cells.push_back({curve_of(run), n, {}});
+    cells[cell->second].rows.push_back({&run, partner});
   }
-  pairing.extra = now.runs.size() - matched;
-  return pairing;
+  if (missing > 0) {
+    add_once(incomplete, fmt::format("NEW lacks {} measurements of BASE; the first: {}", missing,
+                                     one_line(first_missing)));
+  }
+  if (fewer > 0) {
+    add_once(remarks, fmt::format("{} timed repetitions of BASE have no partner", fewer));
+  }
+  if (const std::size_t extra = now.runs.size() - matched; extra > 0) {
+    add_once(remarks, fmt::format("{} measurements of NEW are not in BASE", extra));
+  }
+  return cells;
 }
 
 std::vector<PairedRow> timed_rows(const PairedCell& cell) {
@@ -254,8 +262,8 @@ std::vector<PairedRow> timed_rows(const PairedCell& cell) {
 double round_log_time_ratio(const PairedCell& cell) {
   std::map<decltype(graph_of(RunRecord())), std::pair<double, double>> smallest;
   for (const PairedRow& row : timed_rows(cell)) {
-    const std::pair<double, double> times = {drawing_time_s(*row.base), drawing_time_s(*row.now)};
-    auto& kept = smallest.try_emplace(graph_of(*row.base), times).first->second;
+    const std::pair<double, double> times = {drawing_time_s(*row[0]), drawing_time_s(*row[1])};
+    auto& kept = smallest.try_emplace(graph_of(*row[0]), times).first->second;
     kept = {std::min(kept.first, times.first), std::min(kept.second, times.second)};
   }
   std::vector<double> ratios;
@@ -272,8 +280,7 @@ std::size_t rows_without_time(const PairedCell& cell) {
 }
 
 std::vector<FixedChange> fixed_changes(const PairedRow& row) {
-  const RunRecord& base = *row.base;
-  const RunRecord& now = *row.now;
+  const RunRecord &base = *row[0], &now = *row[1];
   std::vector<FixedChange> changes;
   compare_status(base, now, changes);
   if (!base.graph_hash.empty() && !now.graph_hash.empty() && base.graph_hash != now.graph_hash) {
@@ -294,40 +301,40 @@ std::vector<FixedChange> fixed_changes(const PairedRow& row) {
 }
 
 double log2_volume_change(const PairedRow& row) {
+  const RunRecord &base = *row[0], &now = *row[1];
   if (is_measured(row)) {
     const Column& volume = run_column("log2_relative_volume");
-    const double change = column_number(volume, *row.now) - column_number(volume, *row.base);
+    const double change = column_number(volume, now) - column_number(volume, base);
     return std::isfinite(change) ? change : 0;
   }
-  if (!has_extents(*row.base) || !has_extents(*row.now)) return 0;
+  if (!has_extents(base) || !has_extents(now)) return 0;
   double change = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    change += std::log2((static_cast<double>(row.now->extents[axis]) + 1) /
-                        (static_cast<double>(row.base->extents[axis]) + 1));
+    change += std::log2((static_cast<double>(now.extents[axis]) + 1) /
+                        (static_cast<double>(base.extents[axis]) + 1));
   }
   return change;
 }
 
-std::pair<double, double> count_change(const PairedCell& cell) {
+std::vector<FixedChange> count_changes(const PairedCell& cell, const CompareOptions& options,
+                                       std::array<double, 2>& logs) {
   double instructions[2] = {}, cycles[2] = {};
+  logs = {kMissing, kMissing};
   for (const PairedRow& row : cell.rows) {
     if (!both_drawn(row)) continue;
-    for (const auto& [side, run] : {std::pair{0, row.base}, std::pair{1, row.now}}) {
-      if (run->counted_instructions <= 0) return {kMissing, kMissing};
+    for (const std::size_t side : {0U, 1U}) {
+      const RunRecord* run = row[side];
+      if (run->counted_instructions <= 0) return {};
       instructions[side] += static_cast<double>(run->counted_instructions);
       cycles[side] +=
           run->estimated_cycles > 0 ? static_cast<double>(run->estimated_cycles) : kMissing;
     }
   }
-  return {std::log(instructions[1] / instructions[0]), std::log(cycles[1] / cycles[0])};
-}
-
-std::vector<FixedChange> count_changes(double instructions, double cycles,
-                                       double instruction_threshold, double cycle_threshold) {
+  logs = {std::log(instructions[1] / instructions[0]), std::log(cycles[1] / cycles[0])};
   std::vector<FixedChange> changes;
   for (const auto& [what, log, threshold] :
-       {std::tuple{"instructions", instructions, instruction_threshold},
-        std::tuple{"estimated cycles", cycles, cycle_threshold}}) {
+       {std::tuple{"instructions", logs[0], options.instruction_threshold},
+        std::tuple{"estimated cycles", logs[1], options.cycle_threshold}}) {
     if (!(std::abs(log) > std::log1p(threshold))) continue;  // a missing one is no change
     changes.push_back({direction(log > 0), fmt::format("{} x{:.4f}", what, std::exp(log))});
   }

@@ -1,21 +1,19 @@
 #pragma once
 
-#include <cmath>
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "ar3d/analysis/compare/time_change.h"
 #include "ar3d/store/columns/curves.h"
 #include "ar3d/store/rows.h"
 
 namespace ar3d {
 
-/// Describes one measurement that both sides made: the same graph, algorithm, options, phase and
-/// repetition.
-struct PairedRow {
-  const RunRecord* base = nullptr;
-  const RunRecord* now = nullptr;
-};
+/// Is one measurement that both sides, base and new, made: the same graph, algorithm, options, phase
+/// and repetition.
+using PairedRow = std::array<const RunRecord*, 2>;
 
 /// Describes the measurements of one algorithm on one family at one size.
 struct PairedCell {
@@ -24,18 +22,17 @@ struct PairedCell {
   std::vector<PairedRow> rows;
 };
 
-struct Pairing {
-  std::vector<PairedCell> cells;  ///< in base's order
-  std::size_t missing = 0;        ///< rows of base that the other side lacks
-  std::size_t fewer = 0;          ///< further repetitions in base's timing phase, not missing: how
-                                  ///< many there are depends on the noise
-  std::size_t extra = 0;          ///< rows that base lacks
-  std::string first_missing;      ///< which one, for people; empty if none
-};
-
 /// Matches rows by what they measure, not by their index. The pointers are into the arguments.
+/// @param incomplete  gets a line on rows of base that the other side lacks. @param remarks  get one
+/// on further repetitions in base's timing phase, which are not missing since how many there are
+/// depends on the noise, and one on rows that base lacks; none that is there already.
+/// @return cells in base's order.
 /// @throws InputError if one side holds the same measurement twice. Cost: O(r log r) for r rows.
-Pairing pair_rows(const Results& base, const Results& now);
+std::vector<PairedCell> pair_rows(const Results& base, const Results& now,
+                                  std::vector<std::string>& incomplete,
+                                  std::vector<std::string>& remarks);
+/// Adds a line unless it is there already.
+void add_once(std::vector<std::string>& lines, const std::string& line);
 
 /// Returns true if both sides drew it, judged right (ok) or without a guarantee to be judged by
 /// (measured).
@@ -57,13 +54,6 @@ double round_log_time_ratio(const PairedCell& cell);
 /// one.
 std::size_t rows_without_time(const PairedCell& cell);
 
-/// Sorts by what outweighs what. unjudged: nothing got worse among what has no noise, and the
-/// times were not judged; inconclusive: they were, and their noise, or too few pairs, leaves it
-/// open.
-enum class Verdict { pass, improved, unjudged, inconclusive, regressed, violated };
-/// Returns "PASS", "IMPROVED", "UNJUDGED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"
-const char* to_string(Verdict verdict);
-
 /// Is what a change of a value without noise means, and in one line what it is, before and after.
 using FixedChange = std::pair<Verdict, std::string>;
 
@@ -77,13 +67,11 @@ std::vector<FixedChange> fixed_changes(const PairedRow& row);
 /// none.
 double log2_volume_change(const PairedRow& row);
 
-/// Returns log(new / base) of a whole cell's counts of instructions and of estimated cycles, by
-/// their sums over its drawings; NaN unless both sides have counted all that both have drawn.
-std::pair<double, double> count_change(const PairedCell& cell);
-
-/// Returns a change for the worse or the better if one of the two is more than log(1 + its
-/// threshold) away from 0.
-std::vector<FixedChange> count_changes(double instructions, double cycles,
-                                       double instruction_threshold, double cycle_threshold);
+/// Compares a whole cell's counts by their sums over its drawings. A change is for the worse or the
+/// better if it is more than log(1 + its threshold) away from 0.
+/// @param logs  becomes log(new / base) of instructions and of estimated cycles; NaN unless both
+/// sides have counted all that both have drawn.
+std::vector<FixedChange> count_changes(const PairedCell& cell, const CompareOptions& options,
+                                       std::array<double, 2>& logs);
 
 }  // namespace ar3d

@@ -38,11 +38,8 @@ void set_times(const SettingVerdicts& rounds, const Comparison& comparison,
   setting.error = std::max(high - setting.change, setting.change - low);
   setting.visible = time.visible;
   if (!comparison.time_judged || !std::isnan(setting.instructions)) return;
-  const Verdict of_times = time.change == TimeChange::slower   ? Verdict::regressed
-                           : time.change == TimeChange::faster ? Verdict::improved
-                                                               : Verdict::pass;
-  if (of_times <= setting.verdict) return;
-  setting.verdict = of_times;
+  if (time.change == Verdict::inconclusive || time.change <= setting.verdict) return;
+  setting.verdict = time.change;
   setting.of_verdict = 0;
 }
 
@@ -75,13 +72,13 @@ CurveKey setting_of(const RunRecord& run) { return {run.algorithm, run.options, 
 }  // namespace
 
 void follow_setting(const TimeVerdict& setting, std::vector<double> log_ratios,
-                    const TimeRule& rule, std::size_t tests, TimeVerdict& cell) {
-  if (cell.change != TimeChange::undecided || cell.pairs < fewest_pairs(rule)) return;
+                    const CompareOptions& rule, std::size_t tests, TimeVerdict& cell) {
+  if (cell.change != Verdict::inconclusive || cell.pairs < fewest_pairs(rule)) return;
   for (double& ratio : log_ratios) ratio -= setting.estimate;
   const double p = judge_times({std::move(log_ratios)}, rule).front().p_value();
   if (p * static_cast<double>(tests) <= rule.false_discovery_rate) return;
   cell.change = setting.change;
-  cell.follows_setting = cell.change != TimeChange::undecided;
+  cell.follows_setting = cell.change != Verdict::inconclusive;
 }
 
 void judge_settings(const SettingVerdicts& rounds, Comparison& comparison) {

@@ -25,20 +25,20 @@ std::vector<double> thinned(const std::vector<double>& values) {
 }
 
 /// The p-value that one cell needs when no other cell is significant.
-double needed_p(const TimeRule& rule, std::size_t cells) {
+double needed_p(const CompareOptions& rule, std::size_t cells) {
   const auto m = static_cast<double>(std::max<std::size_t>(1, cells));
   return std::min(rule.significance, rule.false_discovery_rate / m);
 }
 
-TimeChange change_of(const TimeVerdict& verdict, const TimeRule& rule) {
+Verdict change_of(const TimeVerdict& verdict, const CompareOptions& rule) {
   const double limit = std::log1p(rule.threshold);
   const bool significant =
       verdict.p_value() <= rule.significance && verdict.adjusted_p <= rule.false_discovery_rate;
-  if (significant && verdict.estimate >= limit) return TimeChange::slower;
-  if (significant && verdict.estimate <= -limit) return TimeChange::faster;
+  if (significant && verdict.estimate >= limit) return Verdict::regressed;
+  if (significant && verdict.estimate <= -limit) return Verdict::improved;
   // NaN ends, where pairs are too few, compare false.
   const bool inside = verdict.interval.low > -limit && verdict.interval.high < limit;
-  return inside ? TimeChange::same : TimeChange::undecided;
+  return inside ? Verdict::pass : Verdict::inconclusive;
 }
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -62,13 +62,13 @@ std::vector<double> cumulative_of(std::size_t pairs) {
 
 }  // namespace
 
-std::size_t fewest_pairs(const TimeRule& rule, std::size_t cells) {
+std::size_t fewest_pairs(const CompareOptions& rule, std::size_t cells) {
   const double pairs = std::ceil(1 - std::log2(needed_p(rule, cells)) - 1e-9);
   return static_cast<std::size_t>(std::max(1.0, pairs));
 }
 
 std::vector<TimeVerdict> judge_times(const std::vector<std::vector<double>>& log_ratios,
-                                     const TimeRule& rule) {
+                                     const CompareOptions& rule) {
   std::map<std::size_t, SignedRankDistribution> distributions;
   std::vector<TimeVerdict> verdicts(log_ratios.size());
   std::vector<double> p_values;
@@ -87,7 +87,7 @@ std::vector<TimeVerdict> judge_times(const std::vector<std::vector<double>>& log
   return verdicts;
 }
 
-double smallest_visible_slowdown(std::vector<double> log_ratios, const TimeRule& rule,
+double smallest_visible_slowdown(std::vector<double> log_ratios, const CompareOptions& rule,
                                  std::size_t cells) {
   log_ratios = thinned(log_ratios);
   const SignedRankDistribution distribution(log_ratios.size());

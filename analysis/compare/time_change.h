@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -37,20 +36,25 @@ std::vector<double> walsh_averages(std::span<const double> differences);
 /// q keeps the expected share of false ones among the rejected at q or below. Cost: O(m log m).
 std::vector<double> adjusted_p_values(std::span<const double> p_values);
 
-/// Tells when a change of time counts.
-struct TimeRule {
-  double threshold = 0.05;              ///< smaller changes do not matter: 0.05 is 5 %
+/// Tells when a change counts, and what is judged.
+struct CompareOptions {
+  double threshold = 0.05;              ///< smaller changes of time do not matter: 0.05 is 5 %
   double significance = 0.001;          ///< largest two-sided p-value of one cell
   double false_discovery_rate = 0.002;  ///< largest adjusted p-value over all cells
   double confidence = 0.95;             ///< of the interval of a cell's ratio
+  double instruction_threshold = 0.01;  ///< smaller changes of counted instructions do not matter
+  double cycle_threshold = 0.05;        ///< of estimated cycles, which feel where data lie
+  bool time_always = false;             ///< judge times of unlike environments too
+  bool drawings_only = false;           ///< judge what has no noise, and no times
 };
 
-enum class TimeChange {
-  same,      ///< the interval of the ratio lies within the threshold on both sides
-  faster,    ///< significant, and the estimate passes the threshold
-  slower,    ///< likewise
-  undecided  ///< neither: too few pairs, too much noise, or right at the threshold
-};
+/// Sorts by what outweighs what. unjudged: nothing got worse among what has no noise, and the
+/// times were not judged. Of times pass: the interval of the ratio lies within the threshold on both
+/// sides; improved, regressed: faster or slower, significantly, and the estimate passes the
+/// threshold; inconclusive: neither, for too few pairs, too much noise, or right at the threshold.
+enum class Verdict { pass, improved, unjudged, inconclusive, regressed, violated };
+/// Returns "PASS", "IMPROVED", "UNJUDGED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"
+const char* to_string(Verdict verdict);
 
 /// Says whether paired differences, of log(new time / base time), are centred at 0, by Wilcoxon's
 /// signed-rank test. It holds for every distribution of the noise, however heavy its tails, as long
@@ -66,7 +70,7 @@ struct TimeVerdict {
   double adjusted_p = 1;
   /// Holds log(1 + smallest change that is found with this noise), where the comparison says so.
   double visible = std::numeric_limits<double>::infinity();
-  TimeChange change = TimeChange::undecided;
+  Verdict change = Verdict::inconclusive;
   bool follows_setting = false;  ///< its own pairs leave it open
 };
 
@@ -80,17 +84,17 @@ TimeVerdict signed_rank_test(std::span<const double> differences,
 
 /// Returns the fewest pairs with which one cell among `cells` can be found (Benjamini and
 /// Hochberg's threshold): all of them point one way.
-std::size_t fewest_pairs(const TimeRule& rule, std::size_t cells = 1);
+std::size_t fewest_pairs(const CompareOptions& rule, std::size_t cells = 1);
 
 /// Returns one verdict a cell. @param log_ratios  log(new / base) of the pairs of every cell,
 /// finite. A cell with more than 2000 pairs is thinned evenly to at most that many.
 std::vector<TimeVerdict> judge_times(const std::vector<std::vector<double>>& log_ratios,
-                                     const TimeRule& rule);
+                                     const CompareOptions& rule);
 
 /// Returns the smallest true slowdown with which `log_ratios`, measured without any, would be
 /// judged slower while all other cells of `cells` stay as they are: ratio - 1; infinite if there
 /// are too few pairs.
-double smallest_visible_slowdown(std::vector<double> log_ratios, const TimeRule& rule,
+double smallest_visible_slowdown(std::vector<double> log_ratios, const CompareOptions& rule,
                                  std::size_t cells);
 
 }  // namespace ar3d

@@ -41,7 +41,7 @@ double log_count(std::int64_t count) {
 
 void add_row(const RunRecord& run, GraphValues& graph) {
   graph.graph_hash = std::max(graph.graph_hash, run.graph_hash);
-  if (run.status != RunStatus::ok && run.status != RunStatus::measured) {
+  if (!is_good(run.status)) {
     graph.is_unfinished = true;
     return;
   }
@@ -108,7 +108,7 @@ void take_rows(const Rows& rows, CommitResults& into) {
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const RunRecord& run = rows.run(row);
     if (is_batched(run.phase)) continue;
-    if (run.status != RunStatus::ok && run.status != RunStatus::measured) ++into.unfinished;
+    into.unfinished += !is_good(run.status);
     into.rows_at_a_time = std::max(into.rows_at_a_time, static_cast<double>(run.concurrency));
     for (std::size_t i = 0; i < yardsticks.size(); ++i) {
       if (run.yardsticks_s[i] > 0) yardsticks[i].push_back(std::log(run.yardsticks_s[i]));

@@ -181,7 +181,7 @@ class Changes {
 };
 
 /// Judges the times of one study in one environment; the lines are [begin, end).
-void judge_times(std::size_t begin, std::size_t end, const TimeRule& rule, History& history,
+void judge_times(std::size_t begin, std::size_t end, const CompareOptions& rule, History& history,
                  Changes& changes) {
   TimeSeries series;
   std::vector<std::size_t> cells, results;
@@ -233,7 +233,7 @@ void judge(const CompareOptions& rule, History& history) {
       }
       ++end;
     }
-    judge_times(begin, end, rule.time, history, changes);
+    judge_times(begin, end, rule, history, changes);
     begin = end;
   }
   changes.finish();

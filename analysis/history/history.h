@@ -79,7 +79,7 @@ struct SmallestStep {
 /// has for two files (docs/history.md, Times). Cost: O(8 r c log c) for r results of c cells.
 /// @return the steps by index, and what each setting can show, by name.
 std::pair<std::vector<TimeStep>, std::vector<SmallestStep>> find_time_steps(
-    const TimeSeries& series, const TimeRule& rule);
+    const TimeSeries& series, const CompareOptions& rule);
 
 /// Describes a results file of a history, without its rows.
 struct CommitResults {

@@ -43,7 +43,7 @@ double lasting_difference(const Levels& levels, bool all) {
 
 class StepFinder {
  public:
-  StepFinder(const TimeSeries& series, const TimeRule& rule) : series_(series), rule_(rule) {
+  StepFinder(const TimeSeries& series, const CompareOptions& rule) : series_(series), rule_(rule) {
     for (const std::string& setting : series.settings) ++cells_of_[setting];
   }
 
@@ -187,7 +187,7 @@ class StepFinder {
       const CellTimes& cell = windows.cell_times[i];
       const SettingTimes& setting = *by_name.at(cell.setting);
       const bool is_moved =
-          times.cells[i] == TimeChange::slower || times.cells[i] == TimeChange::faster;
+          times.cells[i] == Verdict::regressed || times.cells[i] == Verdict::improved;
       if (!is_moved || times.cells[i] == setting.change) continue;
       std::array<SideTimes, 2> sides;
       const auto levels = joined(windows.at, windows.width, windows.cells[i], sides);
@@ -267,7 +267,7 @@ class StepFinder {
   }
 
   const TimeSeries& series_;
-  const TimeRule& rule_;
+  const CompareOptions& rule_;
   std::map<std::string, std::size_t> cells_of_;
   /// Holds how far a setting moved from one result to the next, by its name; "": all together.
   std::map<std::string, std::vector<std::pair<std::size_t, double>>> moved_;
@@ -277,7 +277,7 @@ class StepFinder {
 }  // namespace
 
 std::pair<std::vector<TimeStep>, std::vector<SmallestStep>> find_time_steps(
-    const TimeSeries& series, const TimeRule& rule) {
+    const TimeSeries& series, const CompareOptions& rule) {
   return StepFinder(series, rule).found();
 }
 

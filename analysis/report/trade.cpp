@@ -107,9 +107,7 @@ std::vector<ComparedSetting> settings_of(const std::vector<Section>& sections,
     setting.index = settings.size() - 1;
     for (const SectionCurve& curve : section.curves) {
       if (curve.is_collection) continue;  // compared graph by graph
-      for (std::size_t b = 0; b < curve.tally->bends.size(); ++b) {
-        if (curve.tally->bends[b] > 0) setting.bends = std::max(setting.bends, b);
-      }
+      setting.bends = std::max(setting.bends, most_bends(curve.tally->bends));
       for (const auto& [n, size] : curve.tally->sizes) {
         if (size.drawn == 0 || size.censored || n < 1) continue;
         const double time =

@@ -55,20 +55,11 @@ double least_angle(const Section& section) {
   return least;
 }
 
-std::size_t most_bends(const Section& section) {
-  std::size_t most = 0;
-  for (const SectionCurve& curve : section.curves) {
-    for (std::size_t bends = 0; bends < curve.tally->bends.size(); ++bends) {
-      if (curve.tally->bends[bends] > 0) most = std::max(most, bends);
-    }
-  }
-  return most;
-}
-
 void add_settings(TableMaker& make) {
   Table& table = make.table("settings");
   for (const Section& section : make.sections) {
-    std::size_t graphs = 0, drawn = 0, violations = 0, unproved = 0, ok = 0, measured = 0;
+    std::size_t graphs = 0, drawn = 0, violations = 0, unproved = 0, ok = 0, measured = 0,
+                bends = 0;
     std::int64_t largest = -1;
     std::set<std::string> families;
     std::string theorem, published;
@@ -81,6 +72,7 @@ void add_settings(TableMaker& make) {
       ok += curve.tally->count(RunStatus::ok);
       measured += curve.tally->count(RunStatus::measured);
       largest = std::max(largest, curve.tally->largest_n);
+      bends = std::max(bends, most_bends(curve.tally->bends));
       if (theorem.empty()) theorem = curve.tally->theorem_formula;
       if (published.empty()) published = curve.tally->published_formula;
     }
@@ -100,7 +92,7 @@ void add_settings(TableMaker& make) {
                                   ok,
                                   measured,
                                   least_angle(section),
-                                  most_bends(section),
+                                  bends,
                                   count_or_none(section.max_bends)};
     row.resize(table.columns.size());
     const SectionCurve& closest = *std::ranges::min_element(

@@ -174,10 +174,6 @@ LinearFit fit_linear(const Matrix& x, const std::vector<double>& y) {
   return fit;
 }
 
-double CurveFit::typical_residual(std::size_t sizes) const {
-  return std::sqrt(square_sum / static_cast<double>(sizes));
-}
-
 CurveFit fit_curve(std::span<const SizeSample> sizes, bool with_log, bool intervals) {
   CurveFit curve;
   std::vector<Regressor> regressors = {identity};

@@ -87,7 +87,8 @@ bool has_enough_sizes(ScalingEntry& entry) {
 }
 
 bool is_adequate(const CurveFit& fit, double p_value, std::size_t sizes) {
-  return p_value >= kFitLevel || fit.typical_residual(sizes) <= kNegligibleResidual;
+  const double typical_residual = std::sqrt(fit.square_sum / static_cast<double>(sizes));
+  return p_value >= kFitLevel || typical_residual <= kNegligibleResidual;
 }
 
 /// Point 5 of docs/analysis.md: the local exponent is the same over the sizes.

@@ -71,8 +71,6 @@ struct CurveFit {
   Interval exponent_interval{kMissing, kMissing};
   Interval log_exponent_interval{kMissing, kMissing};
   double square_sum = 0;  ///< of the sizes' residuals
-  /// Returns the square root of the mean squared residual of `sizes` sizes.
-  double typical_residual(std::size_t sizes) const;
 };
 
 /// Fits a curve.

@@ -15,18 +15,12 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
-#include "ar3d/base/number.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/measure/processes.h"
 
 namespace ar3d {
-std::int64_t commits_up_to(const std::string& commit) {
-  const std::vector<std::string> count = ask_git({"rev-list", "--count", commit, "--"});
-  return count.empty() ? -1 : integer_of<std::int64_t>(count.front()).value_or(-1);
-}
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -57,11 +57,6 @@ Study with_command(const Study& study, const std::string& command);
 /// Returns the study whose programs start in that folder: files of their commands are those there.
 Study with_folder(const Study& study, const std::string& folder);
 
-/// Returns how many commits there are up to this one, itself included: the index of a commit in a
-/// history, larger than that of each of its ancestors. @param commit  40 digits.
-/// @return -1 if git in the working directory does not know the commit.
-std::int64_t commits_up_to(const std::string& commit);
-
 /// Returns the last line of a log that is not empty.
 std::string last_line(const std::filesystem::path& log);
 

@@ -217,7 +217,7 @@ TEST(Compare, UnlikeEnvironmentsAreFlaggedAndTimesAreNoGateUnlessAsked) {
   EXPECT_THAT(summary(comparison, {}),
               AllOf(HasSubstr("largest other changes of time (NOT JUDGED)"), HasSubstr("15 rounds"),
                     HasSubstr("flags: -O3 -> -O0")));
-  EXPECT_EQ(compare(base, now, {.time = {}, .time_always = true}).exit_code(), 6);
+  EXPECT_EQ(compare(base, now, {.time_always = true}).exit_code(), 6);
 
   now.environment[2].value = "-O3";
   now.environment.push_back({"load_before", "1.50 1.00 1.00", 0});
@@ -268,7 +268,7 @@ TEST(Compare, AFileAgainstItselfPassesWhateverTheMachineWasDoing) {
 TEST(Compare, DrawingsAloneAreJudgedIfThatIsAsked) {
   Results now = results_of(15, 2);
   for (Row& run : now.runs) run.wall_s *= 2;
-  const CompareOptions drawings{.time = {}, .drawings_only = true};
+  const CompareOptions drawings{.drawings_only = true};
   const Comparison comparison = compare(results_of(15, 1), now, drawings);
   EXPECT_EQ(told(comparison), "DRAWINGS PASS 0: 300 PASS");
   for (const std::string& text :

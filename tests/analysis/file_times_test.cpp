@@ -145,8 +145,8 @@ TEST(FileTimes, OneRoundMovesNoCell) {
     cells[4].spread = spread;
     return judge_file_times(cells, {}, {}).cells[4];
   };
-  EXPECT_EQ(change(0.15), TimeChange::undecided);
-  EXPECT_EQ(change(0.02), TimeChange::faster);
+  EXPECT_EQ(change(0.15), Verdict::inconclusive);
+  EXPECT_EQ(change(0.02), Verdict::improved);
 }
 
 TEST(FileTimes, FewerThanThreeSettingsNeedMore) {
@@ -161,11 +161,11 @@ TEST(FileTimes, FewerThanThreeSettingsNeedMore) {
     }
     return judge_file_times(cells, {}, {}).cells.front();
   };
-  EXPECT_EQ(change(std::log(1.05), 3), TimeChange::slower);
-  EXPECT_EQ(change(std::log(1.05), 1), TimeChange::undecided);
-  EXPECT_EQ(change(std::log(1.10), 1), TimeChange::slower);
-  EXPECT_EQ(change(-std::log(1.10), 2), TimeChange::faster);
-  EXPECT_EQ(change(std::log(1.02), 1), TimeChange::same);
+  EXPECT_EQ(change(std::log(1.05), 3), Verdict::regressed);
+  EXPECT_EQ(change(std::log(1.05), 1), Verdict::inconclusive);
+  EXPECT_EQ(change(std::log(1.10), 1), Verdict::regressed);
+  EXPECT_EQ(change(-std::log(1.10), 2), Verdict::improved);
+  EXPECT_EQ(change(std::log(1.02), 1), Verdict::pass);
 }
 
 }  // namespace

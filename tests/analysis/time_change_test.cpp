@@ -171,7 +171,7 @@ std::vector<TimeVerdict> judged(std::uint64_t seed, std::uint64_t trial,
   return judge_times(MachineNoise(seed, trial, burst_percent).rounds(slowdown), {});
 }
 
-std::size_t count(const std::vector<TimeVerdict>& verdicts, TimeChange change) {
+std::size_t count(const std::vector<TimeVerdict>& verdicts, Verdict change) {
   return static_cast<std::size_t>(std::count_if(verdicts.begin(), verdicts.end(),
                                                 [&](const auto& v) { return v.change == change; }));
 }
@@ -181,8 +181,8 @@ TEST(TimeChange, AProgramAgainstItselfGivesNoMoreThanOneFalseAlarmInAThousandCel
   std::size_t alarms = 0, passes = 0;
   for (std::size_t trial = 0; trial < kTrials; ++trial) {
     const auto verdicts = judged(11, trial, std::vector<double>(kCells, 0));
-    alarms += count(verdicts, TimeChange::slower) + count(verdicts, TimeChange::faster);
-    passes += count(verdicts, TimeChange::same);
+    alarms += count(verdicts, Verdict::regressed) + count(verdicts, Verdict::improved);
+    passes += count(verdicts, Verdict::pass);
   }
   RecordProperty("false_alarms", static_cast<int>(alarms));
   RecordProperty("passes", static_cast<int>(passes));
@@ -197,9 +197,9 @@ TEST(TimeChange, TenPercentInOneCellAmongAllAreFoundNinetyNineTimesOfAHundred) {
     std::vector<double> slowdown(kCells, 0);
     slowdown[trial % kCells] = std::log(1.10);
     const auto verdicts = judged(12, trial, slowdown);
-    const bool here = verdicts[trial % kCells].change == TimeChange::slower;
+    const bool here = verdicts[trial % kCells].change == Verdict::regressed;
     found += here;
-    others += count(verdicts, TimeChange::slower) + count(verdicts, TimeChange::faster) - here;
+    others += count(verdicts, Verdict::regressed) + count(verdicts, Verdict::improved) - here;
   }
   RecordProperty("found", static_cast<int>(found));
   RecordProperty("trials", static_cast<int>(kTrials));
@@ -218,8 +218,8 @@ TEST(TimeChange, ASlowerBuildNeverPassesUnnoticed) {
       for (std::size_t trial = 0; trial < kTrials; ++trial) {
         const std::vector<double> slowdown(kCells, std::log1p(percent / 100));
         const auto verdicts = judged(16, trial, slowdown, bursts);
-        slower += count(verdicts, TimeChange::slower);
-        same += count(verdicts, TimeChange::same);
+        slower += count(verdicts, Verdict::regressed);
+        same += count(verdicts, Verdict::pass);
       }
       std::printf("%4.0f %% slower, %u %% bursts: slower %zu, same %zu of %zu cells\n", percent,
                   bursts, slower, same, kCells * kTrials);
@@ -241,19 +241,19 @@ TEST(TimeChange, TenPercentFasterIsAnImprovementAndTwoPercentArePassed) {
   slowdown[3] = -std::log(1.10);
   slowdown[4] = std::log(1.01);
   const auto verdicts = judged(13, 0, slowdown);
-  EXPECT_EQ(verdicts[3].change, TimeChange::faster);
-  EXPECT_EQ(verdicts[4].change, TimeChange::same);
+  EXPECT_EQ(verdicts[3].change, Verdict::improved);
+  EXPECT_EQ(verdicts[4].change, Verdict::pass);
 }
 
 TEST(TimeChange, TooFewPairsAreUndecided) {
-  const TimeRule rule;
+  const CompareOptions rule;
   EXPECT_EQ(fewest_pairs(rule), 11u);
   EXPECT_EQ(fewest_pairs(rule, 240), 18u);
   const std::vector<double> clear(10, std::log(1.5));
-  EXPECT_EQ(judge_times({clear}, rule)[0].change, TimeChange::undecided);
+  EXPECT_EQ(judge_times({clear}, rule)[0].change, Verdict::inconclusive);
   EXPECT_EQ(judge_times({std::vector<double>(11, std::log(1.5))}, rule)[0].change,
-            TimeChange::slower);
-  EXPECT_EQ(judge_times({{}}, rule)[0].change, TimeChange::undecided);
+            Verdict::regressed);
+  EXPECT_EQ(judge_times({{}}, rule)[0].change, Verdict::inconclusive);
   EXPECT_TRUE(judge_times({}, rule).empty());
 }
 
@@ -262,12 +262,12 @@ TEST(TimeChange, ManyPairsAreThinnedNotRefused) {
   std::vector<double> many;
   for (int i = 0; i < 50000; ++i) many.push_back(std::log(1.08) + 0.2 * normal(random));
   const TimeVerdict verdict = judge_times({many}, {})[0];
-  EXPECT_EQ(verdict.change, TimeChange::slower);
+  EXPECT_EQ(verdict.change, Verdict::regressed);
   EXPECT_EQ(verdict.pairs, 2000u);
 }
 
 TEST(SmallestVisibleSlowdown, IsExactlyWhereTheVerdictTurns) {
-  const TimeRule rule;
+  const CompareOptions rule;
   for (std::uint64_t trial = 0; trial < 20; ++trial) {
     const auto ratios = MachineNoise(14, trial).rounds({0.0});
     const double slowdown = smallest_visible_slowdown(ratios[0], rule, 1);
@@ -276,7 +276,7 @@ TEST(SmallestVisibleSlowdown, IsExactlyWhereTheVerdictTurns) {
       for (const double value : ratios[0]) {
         shifted.push_back(value + std::log1p(slowdown) + sign * 1e-9);
       }
-      EXPECT_EQ(judge_times({shifted}, rule)[0].change == TimeChange::slower, sign > 0) << trial;
+      EXPECT_EQ(judge_times({shifted}, rule)[0].change == Verdict::regressed, sign > 0) << trial;
     }
   }
   EXPECT_EQ(smallest_visible_slowdown({0.0, 0.0}, rule, 1),
