@@ -46,15 +46,18 @@ class Routing {
     }
     return true;
   }
-  /// Of the vertices whose edges have the least load, up to 64 that are no neighbours and have none
-  /// in common.
+  /// Of the vertices whose edges have the least load with n units more, up to 64 that are no
+  /// neighbours and have none in common. (One edge gets up to twice its share.)
   std::vector<Vertex> next_sources(std::span<const Vertex> vertices) const {
     constexpr std::uint32_t kSpread = 2654435761;  // of equal ones over the labels
     std::vector<std::array<std::uint32_t, 3>> by_load;
     for (const Vertex v : vertices) {
-      std::uint32_t heaviest = 0;
-      for (const HalfEdge& way : ways_[v]) heaviest = std::max(heaviest, load_[way.edge]);
-      by_load.push_back({heaviest, v * kSpread, v});
+      std::uint32_t heaviest = 0, degree = 0;
+      for (const HalfEdge& way : ways_[v]) {
+        heaviest = std::max(heaviest, load_[way.edge]);
+        degree += way.to != n_;
+      }
+      by_load.push_back({heaviest + 2 * static_cast<std::uint32_t>(n_) / degree, v * kSpread, v});
     }
     const auto some = by_load.begin() + std::min<std::ptrdiff_t>(std::ssize(by_load), 8 * kLanes);
     std::partial_sort(by_load.begin(), some, by_load.end());
