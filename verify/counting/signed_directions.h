@@ -84,11 +84,12 @@ class SignedDirections {
   };
 
   static std::size_t sense(Vector d) {
-    return std::size_t{d.x < 0} * 4 + std::size_t{d.y < 0} * 2 + std::size_t{d.z < 0};
+    const auto sign = [](std::int64_t c) { return std::size_t{c > 0} + 2 * std::size_t{c < 0}; };
+    return 9 * sign(d.x) + 3 * sign(d.y) + sign(d.z);
   }
 
   std::vector<Vector> directions_;
-  std::array<std::vector<Known>, 8> classes_;
+  std::array<std::vector<Known>, 27> classes_;  ///< by the signs of the components
 };
 
 /// The directions with components from -2 to 2, which have numbers: those that a drawing's vertices

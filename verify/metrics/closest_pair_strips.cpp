@@ -37,8 +37,7 @@ class Strips {
         inverse_(inverse_diagonal(lattice_)),
         left_(kPairsPerVertex * drawing.num_vertices()) {
     for (const auto& row : lattice_.gram) {
-      for (const std::int32_t entry : row)
-        largest_gram_ = std::max(largest_gram_, magnitude(entry));
+      for (const std::int64_t entry : row) largest_gram_ = std::max(largest_gram_, std::abs(entry));
     }
     GrowingBox box;
     for (std::size_t v = 0; v < drawing.num_vertices(); ++v) box.add(at(v));
@@ -63,7 +62,6 @@ class Strips {
   }
 
  private:
-  static std::int64_t magnitude(std::int32_t entry) { return std::abs(std::int64_t{entry}); }
   std::int64_t extent(std::size_t axis) const { return box_.extents()[axis]; }
 
   void choose_axes() {
@@ -99,13 +97,18 @@ class Strips {
   template <class Integer, class Item>
   std::optional<VertexPair> search() {
     Integer smallest = std::numeric_limits<std::int64_t>::max();
+    std::int64_t beside = 0;  // how near a closer pair is along the second axis
+    const auto near = [&](std::size_t axis) {
+      return reach(static_cast<double>(smallest), inverse_[axis]);
+    };
     const auto look = [&](const Placed& a, const Placed& b) {
       const Vector apart = a.at - b.at;
-      if (!is_near(apart)) return;
+      if (!is_near(apart)) return beside;
       const Integer d = squared_length<Integer>(lattice_, apart);
-      if (d >= smallest) return;
+      if (d >= smallest) return beside;
       smallest = d;
       best_ = {a.v, b.v};
+      return beside = near(second_);
     };
     const std::vector<Item> order = ordered<Item>();
     Placed before = placed(order[0].item);
@@ -116,14 +119,8 @@ class Strips {
     }
     if (smallest > kLongest) return std::nullopt;
     if (smallest == 0) return best_;
-    const auto near = [&](std::size_t axis) {
-      return reach(static_cast<double>(smallest), inverse_[axis]);
-    };
-    const bool complete = search_strips(order, static_cast<std::uint64_t>(near(first_)),
-                                        near(second_), [&](const Placed& a, const Placed& b) {
-                                          look(a, b);
-                                          return near(second_);
-                                        });
+    const bool complete =
+        search_strips(order, static_cast<std::uint64_t>(near(first_)), beside, look);
     return complete ? std::optional(best_) : std::nullopt;
   }
 
@@ -132,10 +129,8 @@ class Strips {
   template <class Item, class Look>
   bool search_strips(const std::vector<Item>& order, std::uint64_t width, std::int64_t near,
                      Look&& look) {
-    std::vector<Placed> strip;
-    std::vector<Placed> next;
-    std::uint64_t number = 0;
-    std::uint64_t next_number = 0;
+    std::vector<Placed> strip, next;
+    std::uint64_t number = 0, next_number = 0;
     std::size_t end = 0;  // of the next strip
     take_strip(order, width, end, next, next_number);
     while (!next.empty()) {
@@ -162,7 +157,7 @@ class Strips {
     strip.clear();
     if (end == order.size()) return;
     number = order[end].key / width;
-    for (; end < order.size() && order[end].key / width == number; ++end) {
+    for (; end < order.size() && order[end].key < (number + 1) * width; ++end) {
       strip.push_back(placed(order[end].item));
     }
     std::sort(strip.begin(), strip.end(), [this](const Placed& a, const Placed& b) {
