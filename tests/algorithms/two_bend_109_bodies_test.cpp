@@ -274,7 +274,7 @@ bool some_ray_meets(const SmallBody& body, Vertex v, Point end, std::int64_t slo
   });
 }
 
-// What Lemma E.5 needs of the bodies, in exact integers but for the angle of a leg, which has 0.2
+// What Lemma E.5 needs of the bodies, in exact integers except for a leg's angle, which has 0.2
 // degrees to spare.
 TEST(TwoBend109Bodies, RaysMayLeanAsTheirSlopeSays) {
   std::set<std::string> need_more_than_5;

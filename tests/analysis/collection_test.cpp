@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t kCollectionGraphs = 400;
 
 /// 400 graphs of 10 to 109 vertices in two groups. `compact` needs a quarter of `diamond`'s volume,
-/// but for graph 17 a thousand times as much; `grid` refuses the second half.
+/// except for graph 17 a thousand times as much; `grid` refuses the second half.
 Results collection_results(std::int64_t graphs = kCollectionGraphs) {
   Results results = good_results({"diamond", "compact", "grid"}, {}, 0, 0);
   results.tables.push_back(

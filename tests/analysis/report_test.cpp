@@ -300,7 +300,7 @@ TEST(Report, BatchesAreShownAgainstTheIdeal) {
     EXPECT_NEAR(row["batch"], 0.016, 1e-9);
     EXPECT_NEAR(row["ideal"], 0.012, 1e-9);
     EXPECT_NEAR(row["at_a_time"], 3, 1e-9);
-    EXPECT_EQ(row["crowded"], false) << "nobody knows how many cores there were";
+    EXPECT_EQ(row["crowded"], false) << "the number of cores is unknown";
   }
   const auto serial = rows_with(rows_with(scaling, "kind", "strong"), "sharers", 4).at(0);
   EXPECT_NEAR(serial["serial"], 1.0 / 9, 1e-5) << "1/9 alone and 8/9 shared by 4 take a third";

@@ -1,5 +1,5 @@
 // A collection like the Rome graphs from beginning to end: 11,534 files, every algorithm and a
-// program of somebody else's, the report and the gate. What it takes is printed, not judged.
+// program of another author, the report and the gate. What it takes is printed, not judged.
 #include <fmt/format.h>
 
 #include <chrono>

@@ -110,7 +110,7 @@ TEST(HistoryProgram, BadInputIsOneClearLine) {
   fs::create_directories(scratch.path("none"));
   fs::create_directories(scratch.path("wrong"));
   fs::copy_file(results, scratch.path("wrong/x.h5"));
-  const std::string page = scratch.write("page.html", "a page of somebody");
+  const std::string page = scratch.write("page.html", "a page of a user");
   const std::string to = " --folder " + scratch.path("history");
   for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
            {"add " + results + to, "say with --place where it stands in the order"},

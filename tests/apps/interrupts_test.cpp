@@ -114,7 +114,7 @@ TEST(Interrupts, WhileCountingLeaveNothingButWholeRows) {
                signals +
                "; do kill -$s $p; done; wait $p; c=$?; sleep 0.5; "
                "pgrep -f callgrind-out-file=" +
-               temporary + "/[a]r3d; exit $c");  // whoever has a file there, but for this shell
+               temporary + "/[a]r3d; exit $c");  // processes with a file there, except this shell
   };
   for (const std::string signals : {"INT", "TERM", "INT TERM INT"}) {
     const Outcome outcome =

@@ -136,7 +136,7 @@ TEST_F(JournaledStudy, AFullDiskLeavesNoHalfResultsFile) {
   EXPECT_EQ(files, 0u);
 }
 
-// Its rows are in an open file that nobody could find any more: it is put back.
+// Its rows are in an open file without a name: it is put back.
 TEST_F(JournaledStudy, ADeletedJournalComesBackWithItsRows) {
   const std::string results = path("slow.h5");
   const Outcome ended = expect_exit(5, meet_while_running(results, "rm " + results + ".journal"));

@@ -92,7 +92,7 @@ TEST_F(KeptDrawings, AStudyThatWasWholeLeavesThemAsTheyAre) {
   expect_exit(0, run("{} replay " + results_ + " --keep all --force"));
   expect_output(run("{} study resume " + results_ + " -q"),
                 "k.drawings.jsonl: as it was, no row is new");
-  EXPECT_EQ(lines(), 18) << "somebody asked for these";
+  EXPECT_EQ(lines(), 18) << "the study asks for these";
 }
 
 TEST_F(KeptDrawings, AreJsonLines) {

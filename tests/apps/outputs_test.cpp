@@ -1,4 +1,4 @@
-// No verb replaces a file that somebody still needs.
+// No verb replaces a file that is still needed.
 #include <fstream>
 
 #include "support/program.h"

@@ -16,7 +16,7 @@ os.environ.update(PATH=":".join([os.path.dirname(AR3D), *os.get_exec_path()]))
 
 
 def run(command):
-    """Runs a line with bash, in which `ar3d` is the program. What it prints goes to files, so that nobody waits for its children."""
+    """Runs a line with bash, in which `ar3d` is the program. What it prints goes to files, so that no reader waits for its children."""
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         code = subprocess.run(["bash", "-c", command], stdin=subprocess.DEVNULL, stdout=out, stderr=err, check=False).returncode
         for file in (out, err):

@@ -204,7 +204,7 @@ TEST_F(Start, ResultsAreReadWithoutProc) {
   const std::string without = "cd " + path("") +
                               "; unshare --map-root-user --mount bash -c '"
                               "mount -t tmpfs none /proc";
-  if (run(without + "'").exit_code != 0) GTEST_SKIP() << "the system lets nobody hide /proc";
+  if (run(without + "'").exit_code != 0) GTEST_SKIP() << "the system does not let /proc be hidden";
   for (const std::string call :
        {"check r.h5", "report r.h5", "compare r.h5 r.h5", "study merge r.h5 -o m.h5",
         "replay r.h5 1", "study resume -q r.h5", "study run tiny.toml -q --isolate -o n.h5"}) {

@@ -95,7 +95,7 @@ TEST(FiguresProgram, RefusesInOneLine) {
       {"--quantity time", "timed_repetitions"},
       {"--quantity trade", "no two of these settings have times"},
       {"--quantity profile", "no collection"},
-      {"--algorithms nobody", "--algorithms nobody: the study has"},
+      {"--algorithms unknown", "--algorithms unknown: the study has"},
       {"--families 'no<such'", "--families no<such: the study has"},
       {"--width 3km", "'3km' is no width"},
       {"--font-size 0", "'0' is no font size"},
@@ -234,8 +234,8 @@ TEST_P(BadCallTest, OneLineAndExitTwo) {
 INSTANTIATE_TEST_SUITE_P(
     Program, BadCallTest,
     ::testing::Values(
-        BadCall{"hunt_unknown_algorithm", "{} hunt --algorithm nobody", "nobody"},
-        BadCall{"hunt_unknown_family", "{} hunt --algorithm diamond --family nobody", "nobody"},
+        BadCall{"hunt_unknown_algorithm", "{} hunt --algorithm unknown", "unknown"},
+        BadCall{"hunt_unknown_family", "{} hunt --algorithm diamond --family unknown", "unknown"},
         BadCall{"hunt_unknown_fault", "{} hunt --algorithm diamond --seeded-fault nothing",
                 "nothing"},
         BadCall{"hunt_degree", "{} hunt --algorithm grid --family random-4-regular", "degree"},

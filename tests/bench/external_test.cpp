@@ -81,7 +81,7 @@ TEST_F(Programs, GoodOnesAreMeasured) {
     const double angle = 180 - 360.0 / static_cast<double>(run.n);
     EXPECT_NEAR(column_number(run_column("smallest_vertex_angle"), run), angle, 1e-3);
     EXPECT_GT(column_number(run_column("log2_relative_volume"), run), 1);
-    if (run.n == 6) continue;  // 120 degrees but for the seventh decimal: decided exactly
+    if (run.n == 6) continue;  // 120 degrees up to the seventh decimal: decided exactly
     EXPECT_EQ(column_text(run_column("optimal_edges"), record_of(run).data()),
               run.n == 5 ? "0" : "7");
   }

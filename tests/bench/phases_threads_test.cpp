@@ -277,7 +277,7 @@ TEST(ScalingPhase, ThreadsDrawAtTheSameTime) {
 TEST(ScalingPhase, AStopEndsABatch) {
   static std::atomic<int> drawn = 0;
   static std::atomic<bool> stopped = false;
-  // Whoever draws after the fourth waits for the stop, however slow its thread is.
+  // A thread that draws after the fourth waits for the stop, however slow its thread is.
   const Algorithm stopping = diamond_drawn_by([](const Graph& graph, const Settings& options) {
     const int turn = ++drawn;
     if (turn == 4) {

@@ -14,7 +14,7 @@
 namespace ar3d::testing {
 namespace {
 
-// A study with one sweep, complete but for what the test puts in.
+// A study with one sweep, complete except for what the test puts in.
 std::string study_with(const std::string& line) {
   return "study = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = 10\nalgorithms = \"diamond\"\n" +
          line + "\n";

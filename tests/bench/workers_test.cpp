@@ -100,7 +100,7 @@ TEST(Workers, ALoopIsATimeoutAndNothingOfItIsLeft) {
   expect_no_children();
   close(pipe_ends[1]);
   char byte = 0;
-  EXPECT_EQ(read(pipe_ends[0], &byte, 1), 0) << "the end of the file: nobody holds the pipe";
+  EXPECT_EQ(read(pipe_ends[0], &byte, 1), 0) << "the end of the file: no process holds the pipe";
   close(pipe_ends[0]);
 }
 

@@ -343,7 +343,7 @@ test("Escape closes a drawing's dialog from its frame, where Tab leaves it, and 
   await isClosed();
 });
 
-/// A collection in three levels of folders, of which somebody's program draws every graph wrong, at three levels of detail.
+/// A collection in three levels of folders, of which a user's program draws every graph wrong, at three levels of detail.
 test("the page of a large collection with findings: 390 pixels, not endless, and a graph's name on every button", async () => {
   const sized = n => execFileSync(program, ["generate", "random-cubic", "-n", String(n), "--count", "39"]).toString().trim().split("\n");
   const graphs = Array.from({length: 50}, (_, i) => sized(10 + 2 * i)).flat();

@@ -79,7 +79,7 @@ class Source:
             named = {v for edge in self.edges for v in edge}
             self.edges += [(v, rng.choice([u for u in self.ids if u != v])) for v in self.ids if v not in named]
             self.edges = list({frozenset(edge): edge for edge in self.edges}.values())
-        if not self.numbers:  # of a first line whose names are in no other, nobody knows whether it is a heading
+        if not self.numbers:  # of a first line whose names are in no other, it is unknown whether it is a heading
             degrees = collections.Counter(v for edge in self.edges for v in edge)
             self.edges += [(v, next(w for w in self.ids if w not in (u, v))) for u, v in self.edges
                            if degrees[u] == degrees[v] == 1]

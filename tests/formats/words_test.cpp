@@ -70,7 +70,7 @@ TEST(ListsOfNames, GiveTheirVerticesNames) {
   }
   EXPECT_EQ(refusal(text),
             "f:2: this is no graph format known here: 'alice bob'; --from says which one is meant")
-      << "only where somebody says that it is an edge list";
+      << "only where an option says that it is an edge list";
   expect_refusals(
       {
           {"a b\nc\n", "f:2: expected two ends of an edge, found the end of the line"},

@@ -12,7 +12,7 @@
 namespace ar3d::testing {
 namespace {
 
-// The bytes of every family are part of the contract: whoever changes them changes
+// The bytes of every family are part of the contract: a change of them changes
 // golden_hashes.txt and the CHANGELOG. The race build runs these tests, too: compiled with clang++,
 // the other builds with g++, so the recorded hashes hold for both.
 

@@ -13,7 +13,7 @@ EXEMPT = {
     ".ci": "one script, which CI calls by its path",
     ".devcontainer": "a container for editors, which find it by its path",
     ".github": "workflows and templates, which the forge finds by their paths",
-    "formats/drawings/viewer/three": "three.js, somebody else's, beside the page that loads it",
+    "formats/drawings/viewer/three": "three.js, of other authors, beside the page that loads it",
     "include": "a link, so that #include names a path of the checkout",
     "tests/formats/corpus": "inputs, a folder for each format",
     "tests/formats/foreign": "files that other programs wrote, for one test",

@@ -370,7 +370,7 @@ class Launcher(Page):
         return self.folder / "packages"
 
     def fake_apt(self, busy):
-        """A root user with an apt-get that notes its calls and whose first updates find the lists locked; nobody waits in earnest."""
+        """A root user with an apt-get that notes its calls and whose first updates find the lists locked; no test waits."""
         calls = self.folder / "calls"
         (self.folder / "apt-get").write_text(
             f"#!/bin/bash\necho \"$@\" >> {calls}\n[[ \"$*\" != *update ]] || [ $(wc -l < {calls}) -gt {busy} ] || "

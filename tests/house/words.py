@@ -89,8 +89,9 @@ if not too_long("", "Word " * 31 + "end.") or too_long("", "Word " * 29 + "end."
     raise SystemExit("a sentence of 32 words is not found, or one of 30 is")
 wrong = [line for name, text in texts for line in too_long(name, text)] + [
     line for name, text in texts if not name.startswith("results") for line in wide_lines(name, text)]
-sources = [path for folder in (*FOLDERS, "tools") for path in sorted((root / folder).rglob("*"))
-           if path.suffix in (".h", ".cpp", ".js", ".py", ".cmake", ".txt", ".sh", ".toml") and "three" not in path.parts]
+sources = [path for folder in (*FOLDERS, "tools", "tests") for path in sorted((root / folder).rglob("*"))
+           if path.suffix in (".h", ".cpp", ".js", ".mjs", ".py", ".cmake", ".txt", ".sh", ".toml")
+           and not {"three", "node_modules", "words.py"} & set(path.parts)]
 if len(sources) < 500 or not house_words("", "but for one") or house_words("", "everybody"):
     raise SystemExit("a house word is not found, or one that is none is")
 wrong += [line for path in sources for line in house_words(str(path.relative_to(root)), path.read_text())]

@@ -44,7 +44,7 @@ for number in ["-", "007", "-007", "-0", "+4", "4.0", "4e0", "0x4", "", " 4", "4
 # n.
 for n in ['"n":7,', '"n":"x",', '', '"n":4,"n":4,', '"n":04,']:
     expect(f"n as {n!r}", 2, [changed('"n":4,', n)], [K4])
-# Keys that nobody knows, in other places, missing or twice; space between them.
+# Unknown keys, in other places, missing or twice; space between them.
 for old, new in [('"algorithm"', '"error":"degree","algorithm"'), ('"gram"', '"real_type":"double","unit_exponent":0,"gram"'),
                  ("}", ',"x":1}'), (',"gram_denominator":1', ""), ('"edges":', '"edges":[],"edges":'), ('"vertices"', '"Vertices"'),
                  (",", ", "), ("}", "} "), ('"diamond"', '"dia\\u006dond"')]:

@@ -137,7 +137,7 @@ ssize_t real_write(int file, const void* from, std::size_t count) {
   return syscall(SYS_write, file, from, count);
 }
 
-// Somebody else renames a file while the program is at work.
+// Another process renames a file while the program is at work.
 void change_folder(const char* path) {
   static const char* const folder = std::getenv("AR3D_FAULT_IN");
   if (!fault().is("change") || folder == nullptr || path == nullptr ||

@@ -25,7 +25,7 @@ inline void expect_same_rows(const std::string& a, const std::string& b) {
   }
 }
 
-/// Makes the checksum of a results file right again that somebody has changed with h5py.
+/// Makes the checksum of a results file right again that h5py has changed.
 inline void renew_checksum(const std::string& path) {
   const Descriptor file(open(path.c_str(), O_RDWR));
   EXPECT_EQ(append_checksum(file.get()), 0) << path;
