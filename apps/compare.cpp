@@ -60,10 +60,10 @@ int report_verdict(const CompareArguments& arguments, const Comparison& comparis
   const bool is_on_stdout = arguments.markdown == "-";
   if (!arguments.markdown.empty()) {
     const std::string text = comparison_markdown(comparison, arguments.options);
-    if (is_on_stdout) say("{}", text);
+    if (is_on_stdout) print("{}", text);
     if (!is_on_stdout) write_file_atomically(arguments.markdown, text);
   }
-  if (!is_on_stdout && !is_json_output) say("{}", summary(comparison, arguments.options));
+  if (!is_on_stdout && !is_json_output) print("{}", summary(comparison, arguments.options));
   if (!arguments.json.empty()) {
     write_json(arguments.json, comparison_json(comparison, arguments.options));
   }
@@ -162,8 +162,8 @@ int compare_files(const CompareArguments& arguments) {
   }
   const Results base = read_results(base_path);
   std::FILE* const to = arguments.markdown == "-" ? stderr : stdout;
-  note(to, "base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),
-       now.created);
+  log(to, "base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),
+      now.created);
   Comparison comparison = compare(base, now, arguments.options);
   if (comparison.count(Verdict::inconclusive) > 0) {
     comparison.remedy = remedy(base, base_path, now, arguments.files.back());
@@ -191,7 +191,7 @@ std::size_t rounds_of(const CompareArguments& arguments, const Study& study) {
 }
 
 int say_interrupted(const std::string& where) {
-  say(stderr, "ar3d: interrupted {}; nothing was left behind\n", where);
+  print(stderr, "ar3d: interrupted {}; nothing was left behind\n", where);
   return kInterrupted;
 }
 
@@ -231,7 +231,7 @@ std::vector<Study> turns_sides(const CompareArguments& arguments, const std::str
     for (const std::string& ref : arguments.turns) {
       std::optional<std::string> folder = fs::current_path().string();  // as it is
       if (ref != ".") {
-        note(stderr, "building {}\n", ref);
+        log(stderr, "building {}\n", ref);
         folder = build_own(ref, arguments.build, fmt::format("{}/{}", scratch, sides.size()));
       }
       if (!folder) return {};
@@ -287,7 +287,7 @@ int compare_in_turns(const CompareArguments& arguments) {
   if (arguments.count) fill_counts(results, kLargestCounted);
   if (is_interrupted()) return say_interrupted("while counting");
   write_results(results, output);
-  note(arguments.markdown == "-" ? stderr : stdout, "results  {}\n", output);
+  log(arguments.markdown == "-" ? stderr : stdout, "results  {}\n", output);
   Comparison comparison = compare_settings(results, pairs, arguments.options);
   for (const std::string& remark : remarks) comparison.remarks.push_back(remark);
   return report_verdict(arguments, comparison);

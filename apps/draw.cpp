@@ -76,8 +76,8 @@ const Drawer& drawer_of(const Graph& graph, std::vector<Drawer>& drawers,
   const auto drawer = std::ranges::find_if(drawers, draws);
   if (drawer == drawers.end()) return drawers.back();
   if (!drawer->is_told) {
-    note(stderr, "ar3d: {}: degree {}, drawn with {}; --algorithm says otherwise\n",
-         printable(where), graph.max_degree(), drawer->algorithm.name);
+    log(stderr, "ar3d: {}: degree {}, drawn with {}; --algorithm says otherwise\n",
+        printable(where), graph.max_degree(), drawer->algorithm.name);
     drawer->is_told = true;
   }
   return *drawer;
@@ -86,7 +86,7 @@ const Drawer& drawer_of(const Graph& graph, std::vector<Drawer>& drawers,
 std::optional<GraphToDraw> next_graph(GraphInputs& inputs, DrawJob& job) {
   std::optional<Graph> graph = inputs.next();
   if (!graph) return std::nullopt;
-  tell_notes(inputs.reader().take_notes());
+  log_notes(inputs.reader().take_notes());
   const std::string where = inputs.reader().where();
   const Drawer& drawer = drawer_of(*graph, job.drawers, where);
   GraphToDraw task{std::move(*graph), drawer, where, {}};
@@ -145,7 +145,7 @@ std::optional<std::string> judge(const GraphToDraw& task, const Drawing& drawing
 }
 
 void report(const std::string& where, const std::string& what) {
-  say(stderr, "ar3d: {}\n", printable(fmt::format("{}: {}", where, what)));
+  print(stderr, "ar3d: {}\n", printable(fmt::format("{}: {}", where, what)));
 }
 
 DrawnLine drawn(const GraphToDraw& task, const DrawJob& job) {
@@ -183,7 +183,7 @@ void write(const DrawnLine& drawn, Level level, OutputFile& file, DrawOutcome& o
   }
   if (drawn.violation) outcome.is_violated = true;
   for (const auto& text : {drawn.error, drawn.violation}) {
-    if (text) say(stderr, "ar3d: {}\n", printable(*text));
+    if (text) print(stderr, "ar3d: {}\n", printable(*text));
   }
 }
 

@@ -84,8 +84,8 @@ void generate_graphs(GenerateArguments arguments) {
     const Graph graph =
         generate(*choice.family, *arguments.n, arguments.seed + i, choice.parameters);
     if (i == 0 && graph.num_vertices() != *arguments.n) {
-      note(stderr, "ar3d: {} has no graph with {} vertices for these parameters: this has {}\n",
-           arguments.family, *arguments.n, graph.num_vertices());
+      log(stderr, "ar3d: {} has no graph with {} vertices for these parameters: this has {}\n",
+          arguments.family, *arguments.n, graph.num_vertices());
     }
     write(graph);
     file.flush_if_full();

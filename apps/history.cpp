@@ -119,7 +119,7 @@ int add_results(const HistoryArguments& arguments) {
   make_folder(arguments.folder);
   write_file_atomically(path, read_file(arguments.results));
   if (is_json_output) print_json({{"added", path}});
-  note(stdout, "added    {}\n", path);
+  log(stdout, "added    {}\n", path);
   return kPass;
 }
 
@@ -151,12 +151,12 @@ int report_history(const HistoryArguments& arguments) {
   const std::vector<Table> tables = history_tables(history, arguments.folder);
   write_file_atomically(page, render_page("history", arguments.folder, tables));
   if (!arguments.json.empty()) write_json(arguments.json, tables_json(tables));
-  if (!is_json_output) say("{}", summary(history));
-  note(stdout, "page     {}\n", page);
+  if (!is_json_output) print("{}", summary(history));
+  log(stdout, "page     {}\n", page);
   for (const HistoryLine& line : history.lines) {
     if (line.is_judged) return kPass;
   }
-  say(stderr, "ar3d: {}: nothing was judged: every line is too short\n", arguments.folder);
+  print(stderr, "ar3d: {}: nothing was judged: every line is too short\n", arguments.folder);
   return kIncomplete;
 }
 

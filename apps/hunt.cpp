@@ -112,7 +112,7 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
     }
     const auto graphs = std::make_shared<const Corpus>(
         files, taken, files.size() == 1 ? files[0].path : fmt::format("{} files", files.size()));
-    tell_notes(graphs->notes());
+    log_notes(graphs->notes());
     return {{&graphs->family(), {}, graphs}};
   }
   if (arguments.family == "all") return fitting_families(algorithm, arguments.hunting.n);
@@ -129,8 +129,8 @@ int hunt_and_show(HuntArguments arguments) {
   const ExternalDrawer programs;
   arguments.hunting.families = chosen_families(arguments, *subject.choice.algorithm, of_row);
   const HuntResult result = hunt(subject, arguments.hunting, [](const HuntResult& so_far) {
-    note(stderr, "{:>8} graphs: {:.6g} from {}\n", so_far.evaluations, so_far.best.ratio,
-         so_far.start.family->name);
+    log(stderr, "{:>8} graphs: {:.6g} from {}\n", so_far.evaluations, so_far.best.ratio,
+        so_far.start.family->name);
   });
   const std::string which =
       !arguments.row.empty() ? "row " + arguments.row
@@ -144,12 +144,12 @@ int hunt_and_show(HuntArguments arguments) {
                {"from", result.start.family->name},
                {"start", which}});
   const bool is_drawn = result.best.drawing != nullptr;
-  tell(json, "{} graphs drawn and certified, {} starts; the {} one comes from {} {}\n{}",
-       result.evaluations - (is_drawn ? 0 : 1), result.starts, is_drawn ? "best" : "next",
-       result.start.family->name, which, trial_text(result.best, arguments));
+  print_result(json, "{} graphs drawn and certified, {} starts; the {} one comes from {} {}\n{}",
+               result.evaluations - (is_drawn ? 0 : 1), result.starts, is_drawn ? "best" : "next",
+               result.start.family->name, which, trial_text(result.best, arguments));
   if (!arguments.output.empty()) {
     write_exhibit(result.best, arguments);
-    note(stdout, "{}\n", shrink_line(result.best, arguments));
+    log(stdout, "{}\n", shrink_line(result.best, arguments));
   }
   return exit_code_of(result.best);
 }
@@ -177,13 +177,13 @@ int shrink_and_show(HuntArguments arguments) {
   const Graph graph = arguments.row.empty()
                           ? read_graph(arguments.inputs[0], arguments.reading, &notes)
                           : graph_of_row(arguments);
-  tell_notes(notes);
+  log_notes(notes);
   const Subject subject = subject_of(arguments);
   const ExternalDrawer programs;
   Trial least = try_graph(subject, graph);
   if (!least.drawing && kind_of_failure(least) != arguments.failure) {
-    tell(trial_json(least, arguments), "{}--failure {} shrinks it all the same\n",
-         trial_text(least, arguments), kind_of_failure(least));
+    print_result(trial_json(least, arguments), "{}--failure {} shrinks it all the same\n",
+                 trial_text(least, arguments), kind_of_failure(least));
     return exit_code_of(least);
   }
   refuse_unshrinkable(least, arguments);
@@ -209,9 +209,10 @@ int shrink_and_show(HuntArguments arguments) {
   const std::uint64_t drawings = arguments.most_drawings - left;
   nlohmann::ordered_json json = trial_json(least, arguments);
   json.update({{"evaluations", drawings}, {"minimal", is_minimal}});
-  tell(json, "{} of {} vertices and {} of {} edges are left after {} drawings{}\n{}",
-       small.num_vertices(), graph.num_vertices(), small.num_edges(), graph.num_edges(), drawings,
-       is_minimal ? "; none can go" : "; the evaluations ran out", trial_text(least, arguments));
+  print_result(json, "{} of {} vertices and {} of {} edges are left after {} drawings{}\n{}",
+               small.num_vertices(), graph.num_vertices(), small.num_edges(), graph.num_edges(),
+               drawings, is_minimal ? "; none can go" : "; the evaluations ran out",
+               trial_text(least, arguments));
   write_exhibit(least, arguments);
   return exit_code_of(least);
 }

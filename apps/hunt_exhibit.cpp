@@ -112,7 +112,7 @@ void write_exhibit(const Trial& trial, const HuntArguments& arguments) {
   }
   const std::string lines = replay_lines(trial, arguments);
   write_file_atomically(prefix + ".txt", trial_text(trial, arguments) + lines);
-  note(stdout, "wrote {}.txt and what it names\n{}", prefix, lines);
+  log(stdout, "wrote {}.txt and what it names\n{}", prefix, lines);
 }
 
 }  // namespace ar3d

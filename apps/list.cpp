@@ -32,28 +32,28 @@ std::string size_text(const SizeBound& bound) {
 
 void print_algorithm(const Algorithm& row) {
   const Guarantee& g = row.guarantee;
-  say("{}: {}\n", row.name, row.summary);
-  say("    {}; degree <= {}, <= {} bends per edge, angles {} {:.2f} degrees\n", row.source,
-      g.max_degree, g.max_bends, g.angle_rule == AngleRule::exactly ? "exactly" : "at least",
-      degrees(g.cosine));
+  print("{}: {}\n", row.name, row.summary);
+  print("    {}; degree <= {}, <= {} bends per edge, angles {} {:.2f} degrees\n", row.source,
+        g.max_degree, g.max_bends, g.angle_rule == AngleRule::exactly ? "exactly" : "at least",
+        degrees(g.cosine));
   if (g.claim == Claim::measured) {
-    say("    in real arithmetic: what rounding makes of it is measured; no box ({})\n",
-        g.bound.source);
+    print("    in real arithmetic: what rounding makes of it is measured; no box ({})\n",
+          g.bound.source);
   } else {
-    say("    box <= {} ({})\n", size_text(g.bound), g.bound.source);
+    print("    box <= {} ({})\n", size_text(g.bound), g.bound.source);
   }
   for (const SettingSpec& option : row.options) {
-    say("    option {} = {}..{} (default {}): {}\n", option.name, option.low, option.high,
-        option.default_value, option.description);
+    print("    option {} = {}..{} (default {}): {}\n", option.name, option.low, option.high,
+          option.default_value, option.description);
   }
 }
 
 void print_family(const Family& row) {
-  say("{}: {} (degree <= {}{})\n", row.name, row.summary, row.max_degree,
-      row.is_random ? ", random" : "");
+  print("{}: {} (degree <= {}{})\n", row.name, row.summary, row.max_degree,
+        row.is_random ? ", random" : "");
   for (const SettingSpec& parameter : row.parameters) {
-    say("    parameter {} = {}..{} (default {}): {}\n", parameter.name, parameter.low,
-        parameter.high, parameter.default_value, parameter.description);
+    print("    parameter {} = {}..{} (default {}): {}\n", parameter.name, parameter.low,
+          parameter.high, parameter.default_value, parameter.description);
   }
 }
 
@@ -92,19 +92,19 @@ void print_list(const std::string& what) {
   using Object = nlohmann::ordered_json;
   Object all;
   const auto show = [&](const char* name, const char* title, const auto& rows, const auto& object,
-                        const auto& print) {
+                        const auto& print_row) {
     if (what != "all" && what != name) return;
     if (is_json_output) all[name] = Object::array();
-    if (what == "all" && !is_json_output) say("\n== {} ==\n", title);
+    if (what == "all" && !is_json_output) print("\n== {} ==\n", title);
     for (const auto& row : rows) {
       if (is_json_output) all[name].push_back(object(row));
-      if (!is_json_output) print(row);
+      if (!is_json_output) print_row(row);
     }
   };
   const auto name_and_summary = [](const auto& row) {
     return Object{{"name", row.name}, {"summary", row.summary}};
   };
-  const auto print_both = [](const auto& row) { say("{}: {}\n", row.name, row.summary); };
+  const auto print_both = [](const auto& row) { print("{}: {}\n", row.name, row.summary); };
   show("algorithms", "algorithms", algorithms(), algorithm_json, print_algorithm);
   const auto family_json = [](const Family& row) {
     return Object{{"name", row.name},
@@ -119,16 +119,16 @@ void print_list(const std::string& what) {
   };
   show("named-graphs", "named graphs (family `named`, --set index=NUMBER)", named_graphs(),
        named_json, [](const NamedGraph& row) {
-         say("{:2} {} (n = {}): {}\n", &row - named_graphs().data(), row.name, row.num_vertices,
-             row.summary);
+         print("{:2} {} (n = {}): {}\n", &row - named_graphs().data(), row.name, row.num_vertices,
+               row.summary);
        });
   show("formats", "formats", graph_formats(), name_and_summary, print_both);
   const auto metric_json = [](const Metric& row) {
     return Object{{"name", row.name}, {"summary", row.definition}, {"unit", row.unit}};
   };
   show("metrics", "metrics", metrics(), metric_json, [](const Metric& row) {
-    say("{}: {} ({}, {})\n", row.name, row.definition, row.unit,
-        row.type == MetricType::int64 ? "int64" : "float64");
+    print("{}: {} ({}, {})\n", row.name, row.definition, row.unit,
+          row.type == MetricType::int64 ? "int64" : "float64");
   });
   show("studies", "studies", named_studies(), name_and_summary, print_both);
   if (is_json_output) print_json(all);
@@ -145,7 +145,7 @@ void print_study(const std::string& what, const std::string& name) {
                                  did_you_mean(name, names_of(named_studies()))));
   }
   if (is_json_output) return print_json({{"name", study->name}, {"toml", study->toml}});
-  say("{}", study->toml);
+  print("{}", study->toml);
 }
 
 /// "8n", "16/3n", "12n^2", "726n^1/2+1800": an extent as a word that proof/promise.ml reads.
@@ -173,16 +173,16 @@ void print_promise(const Algorithm& row) {
   const Guarantee& g = row.guarantee;
   if (g.claim == Claim::measured)
     throw InputError(row.name + ": its drawings are measured, no promise is kept exactly");
-  say("--bends {} --cosine {}/{} {} --gram {}", g.max_bends, g.cosine.numerator,
-      g.cosine.denominator, g.angle_rule == AngleRule::exactly ? "--exactly" : "--at-least",
-      gram_word(g.lattice));
+  print("--bends {} --cosine {}/{} {} --gram {}", g.max_bends, g.cosine.numerator,
+        g.cosine.denominator, g.angle_rule == AngleRule::exactly ? "--exactly" : "--at-least",
+        gram_word(g.lattice));
   for (std::size_t i = 0; i < g.directions.size(); ++i) {
     const Vector& d = g.directions[i];
-    say("{}{},{},{}", i == 0 ? " --directions " : ":", d.x, d.y, d.z);
+    print("{}{},{},{}", i == 0 ? " --directions " : ":", d.x, d.y, d.z);
   }
-  if (g.vertices_in_plane) say(" --plane z=0");
-  say(" --box {},{},{}\n", size_word(g.bound.axes[0]), size_word(g.bound.axes[1]),
-      size_word(g.bound.axes[2]));
+  if (g.vertices_in_plane) print(" --plane z=0");
+  print(" --box {},{},{}\n", size_word(g.bound.axes[0]), size_word(g.bound.axes[1]),
+        size_word(g.bound.axes[2]));
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ class OptimumRun {
     try {
       refuse_unanswerable(graph, arguments_.question);
     } catch (const InputError& error) {
-      say(stderr, "ar3d: {}: {}\n", printable(where), error.what());
+      print(stderr, "ar3d: {}: {}\n", printable(where), error.what());
       add_line({graph.num_vertices(), error.what()});
       exit_code_ = kUsage;
       return;
@@ -200,7 +200,7 @@ class OptimumRun {
          .should_stop =
              [&] {
                if (!solving.empty() && since_told.seconds() >= 1) {
-                 note(stderr, "{}\n", std::exchange(solving, ""));
+                 log(stderr, "{}\n", std::exchange(solving, ""));
                  since_told = Stopwatch();
                }
                return is_interrupted() ||
@@ -213,17 +213,17 @@ class OptimumRun {
                                optimum::to_string(formula.box), formula.points, formula.clauses);
              }});
     answer.seconds = time.seconds();
-    tell(answer);
+    print_result(answer);
   }
 
-  void tell(const GraphAnswer& answer) {
+  void print_result(const GraphAnswer& answer) {
     const SmallestBox& found = answer.found;
     double cpu_s = 0;
     for (const FormulaRecord& formula : found.formulas) cpu_s += formula.cpu_s;
-    note(stdout, "{}: {} ({} formulas, {:.1f} s of CPU time)\n", answer.graph, answer_text(found),
-         found.formulas.size(), cpu_s);
+    log(stdout, "{}: {} ({} formulas, {:.1f} s of CPU time)\n", answer.graph, answer_text(found),
+        found.formulas.size(), cpu_s);
     (void)std::fflush(stdout);
-    if (!found.too_large.empty()) say(stderr, "ar3d: {}: {}\n", answer.where, found.too_large);
+    if (!found.too_large.empty()) print(stderr, "ar3d: {}: {}\n", answer.where, found.too_large);
     if (is_json_output) answers_.push_back(answer_json(answer, arguments_));
     append_index_lines(index_, answer, arguments_);
     if (!found.is_closed() && exit_code_ == kPass) exit_code_ = kIncomplete;

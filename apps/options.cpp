@@ -70,11 +70,11 @@ CLI::Option* add_json(CLI::App& verb) {
 }
 
 void print_json(const nlohmann::ordered_json& json) {
-  say("{}\n", json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+  print("{}\n", json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
 }
 
-void tell_notes(const std::vector<std::string>& notes) {
-  for (const std::string& text : notes) note(stderr, "ar3d: note: {}\n", printable(text));
+void log_notes(const std::vector<std::string>& notes) {
+  for (const std::string& text : notes) log(stderr, "ar3d: note: {}\n", printable(text));
 }
 
 void add_edge_list_options(CLI::App& verb, ReadOptions& options) {

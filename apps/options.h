@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/base/say.h"
+#include "ar3d/base/print.h"
 #include "ar3d/formats/graphs/graph_format.h"
 
 // Options that several verbs have, and what their values may be.
@@ -29,8 +29,7 @@ CLI::Validator one_of(std::vector<std::string> known);
 CLI::Option* add_repeated(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
                           const std::string& what);
 
-/// Adds --threads of verbs that work on many drawings at the same time, or on a large one with
-/// several threads.
+/// Adds --threads to verbs that work on many drawings at a time, or with threads on a large one.
 void add_threads_option(CLI::App& verb);
 
 /// What -q, which every verb has, and --json ask of the verb that runs.
@@ -41,24 +40,23 @@ CLI::Option* add_json(CLI::App& verb);
 /// Prints it on one line, in ASCII: other characters are escaped, bytes that are no UTF-8 replaced.
 void print_json(const nlohmann::ordered_json& json);
 
-/// Says what is not in the JSON object: with -q nothing on standard error, with --json nothing on
-/// standard output.
+/// Prints what is not in the JSON object: nothing on stderr with -q, nothing on stdout with --json.
 template <class... Values>
-void note(std::FILE* to, fmt::format_string<Values...> format, Values&&... values) {
+void log(std::FILE* to, fmt::format_string<Values...> format, Values&&... values) {
   if (to == stderr ? is_quiet_output : is_json_output) return;
-  say(to, format, std::forward<Values>(values)...);
+  ar3d::print(to, format, std::forward<Values>(values)...);
 }
 
-/// Says a result: as text, or with --json as that object.
+/// Prints a result: as text, or with --json as that object.
 template <class... Values>
-void tell(const nlohmann::ordered_json& json, fmt::format_string<Values...> format,
-          Values&&... values) {
+void print_result(const nlohmann::ordered_json& json, fmt::format_string<Values...> format,
+                  Values&&... values) {
   if (is_json_output) return print_json(json);
-  say(format, std::forward<Values>(values)...);
+  ar3d::print(format, std::forward<Values>(values)...);
 }
 
-/// Says on standard error what a reader has assumed, a line each.
-void tell_notes(const std::vector<std::string>& notes);
+/// Prints on standard error what a reader has assumed, a line each.
+void log_notes(const std::vector<std::string>& notes);
 
 /// Adds the options --base, --first-line and --undirected.
 void add_edge_list_options(CLI::App& verb, ReadOptions& options);

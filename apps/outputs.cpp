@@ -10,8 +10,8 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/print.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/spec/study_spec.h"
@@ -126,7 +126,7 @@ void make_folder(const std::string& path) {
 }
 
 void write_json(const std::string& path, const std::string& text) {
-  if (path == "-") return say("{}", text);
+  if (path == "-") return print("{}", text);
   write_file_atomically(path, text);
 }
 

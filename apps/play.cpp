@@ -42,7 +42,7 @@ void open_in_browser(const std::string& page) {
 int play(VerbFiles files) {
   const std::string page = installed_page().string();
   if (files.page.empty()) {
-    say("file://{}\n", page);
+    print("file://{}\n", page);
     open_in_browser(page);
     return kPass;
   }
@@ -53,7 +53,7 @@ int play(VerbFiles files) {
   std::ifstream in(page, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   write_file_atomically(files.page, text);
-  note(stdout, "wrote {}\n", files.page);
+  log(stdout, "wrote {}\n", files.page);
   return kPass;
 }
 

@@ -113,8 +113,8 @@ bool is_option_of(const CLI::App& verb, const std::string& word) {
   return option != nullptr && word.starts_with("--");
 }
 
-void tell_usage(const CLI::App& app, const CLI::ParseError& error,
-                const std::vector<std::string>& words) {
+void print_usage(const CLI::App& app, const CLI::ParseError& error,
+                 const std::vector<std::string>& words) {
   const CLI::App& verb = verb_in(app);
   const std::vector<std::string> rest = app.remaining(true);
   std::string message = error.what();
@@ -126,7 +126,7 @@ void tell_usage(const CLI::App& app, const CLI::ParseError& error,
                               ? fmt::format(" here; write '{} {}'", command_of(verb), word)
                               : meant_by(verb, words, word));
   }
-  ar3d::say(stderr, "ar3d: {} (see {} --help)\n", ar3d::printable(message), command_of(verb));
+  ar3d::print(stderr, "ar3d: {} (see {} --help)\n", ar3d::printable(message), command_of(verb));
 }
 
 /// `ar3d help`, `help VERB`, `help study run`: what --help behind the words says.
@@ -147,7 +147,7 @@ void add_help(CLI::App& app) {
       asked = found.front();
     }
     const std::string name = command_of(*asked);
-    ar3d::say("{}", asked->get_formatter()->make_help(asked, name, CLI::AppFormatMode::Normal));
+    ar3d::print("{}", asked->get_formatter()->make_help(asked, name, CLI::AppFormatMode::Normal));
   });
 }
 
@@ -191,14 +191,14 @@ int run(int argc, char** argv) {
   add_help(app);
   complete_verbs(app);
   if (argc == 1) {
-    ar3d::say(stderr, "{}", app.help());
+    ar3d::print(stderr, "{}", app.help());
     return ar3d::kUsage;
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    tell_usage(app, error, {argv + 1, argv + argc});
+    print_usage(app, error, {argv + 1, argv + argc});
     return ar3d::kUsage;
   }
   return exit_code;
@@ -252,8 +252,8 @@ int with_output_flushed(int exit_code) {
   errno = 0;
   const bool flushed = std::fflush(stdout) == 0;
   if (flushed && std::ferror(stdout) == 0) return exit_code;
-  ar3d::say(stderr, "ar3d: cannot write to standard output: {}\n",
-            std::strerror(errno != 0 ? errno : EIO));
+  ar3d::print(stderr, "ar3d: cannot write to standard output: {}\n",
+              std::strerror(errno != 0 ? errno : EIO));
   return ar3d::kUsage;
 }
 
@@ -265,27 +265,27 @@ int ar3d::run_program(int argc, char** argv) {
     check_openmp();
     ar3d::respect_quota();
     ar3d::note_on_results = [](const std::string& text) {
-      static std::set<std::string> told;
-      if (told.insert(text).second) ar3d::tell_notes({text});
+      static std::set<std::string> seen;
+      if (seen.insert(text).second) ar3d::log_notes({text});
     };
     return with_output_flushed(run(argc, argv));
   } catch (const ar3d::InputError& error) {
-    ar3d::say(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
+    ar3d::print(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
     return ar3d::kUsage;
   } catch (const std::system_error& error) {
     const bool is_output = std::ferror(stdout) != 0;
     const bool is_thread = error.code() == std::errc::resource_unavailable_try_again;
-    ar3d::say(stderr, "ar3d: {}{}\n",
-              is_output   ? "cannot write to standard output: "
-              : is_thread ? "cannot start a thread: "
-                          : "",
-              is_output ? error.code().message() : error.what());
+    ar3d::print(stderr, "ar3d: {}{}\n",
+                is_output   ? "cannot write to standard output: "
+                : is_thread ? "cannot start a thread: "
+                            : "",
+                is_output ? error.code().message() : error.what());
     return is_output || is_thread ? ar3d::kUsage : ar3d::kInternalError;
   } catch (const std::bad_alloc&) {
-    ar3d::say(stderr, "ar3d: out of memory\n");
+    ar3d::print(stderr, "ar3d: out of memory\n");
     return ar3d::kInternalError;
   } catch (const std::exception& error) {
-    ar3d::say(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
+    ar3d::print(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
     return ar3d::kInternalError;
   }
 }

@@ -81,7 +81,7 @@ int replay_row(const ReplayArguments& arguments) {
     text += fmt::format("column {} differs from the recorded row\n", column);
   if (differing.empty()) text += "every non-timing column is equal, bit for bit\n";
   // Never amid the drawing.
-  if (!is_json_output) say(arguments.output == "-" ? stderr : stdout, "{}", text);
+  if (!is_json_output) print(arguments.output == "-" ? stderr : stdout, "{}", text);
   if (now.status == RunStatus::violated) return kViolated;
   return differing.empty() ? kPass : kRegression;
 }
@@ -91,8 +91,8 @@ int replay_rows(const ReplayArguments& arguments) {
   const std::vector<std::size_t> rows = sample_of_rows(
       results.runs, arguments.all ? results.runs.size() : *arguments.sample, arguments.seed);
   if (results.source_hash != source_hash()) {
-    note(stderr, "ar3d: the rows were made by source {}, this is {}\n", results.source_hash,
-         source_hash());
+    log(stderr, "ar3d: the rows were made by source {}, this is {}\n", results.source_hash,
+        source_hash());
   }
   std::size_t done = 0;
   const bool terminal = isatty(fileno(stderr)) == 1 && !is_quiet_output;
@@ -106,20 +106,21 @@ int replay_rows(const ReplayArguments& arguments) {
     if (!columns.empty()) irreproducible.emplace(row, columns);
     if (terminal) std::fprintf(stderr, "\r%zu of %zu rows made again", ++done, rows.size());
   }
-  if (terminal) say(stderr, "\n");
+  if (terminal) print(stderr, "\n");
   nlohmann::ordered_json differing = nlohmann::ordered_json::array();
   for (const auto& [row, columns] : irreproducible) {
     differing.push_back({{"row", row}, {"columns", columns}});
     const RunRecord& run = results.runs[row];
-    note(stdout, "row {} ({} n={} with {} {}) differs in {}\n", row, run.family, run.n,
-         run.algorithm, run.options, fmt::join(columns, " "));
+    log(stdout, "row {} ({} n={} with {} {}) differs in {}\n", row, run.family, run.n,
+        run.algorithm, run.options, fmt::join(columns, " "));
   }
-  tell({{"rows", results.runs.size()},
-        {"replayed", rows.size()},
-        {"violated", violated},
-        {"differing", differing}},
-       "{} of {} rows made again: {} equal bit for bit, {} not, {} violated\n", rows.size(),
-       results.runs.size(), rows.size() - irreproducible.size(), irreproducible.size(), violated);
+  print_result({{"rows", results.runs.size()},
+                {"replayed", rows.size()},
+                {"violated", violated},
+                {"differing", differing}},
+               "{} of {} rows made again: {} equal bit for bit, {} not, {} violated\n", rows.size(),
+               results.runs.size(), rows.size() - irreproducible.size(), irreproducible.size(),
+               violated);
   if (violated > 0) return kViolated;
   if (!irreproducible.empty()) return kRegression;
   return !rows.empty() ? kPass : kIncomplete;

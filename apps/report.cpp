@@ -54,10 +54,10 @@ int write_report(const ReportArguments& arguments) {
     rows_csv(rows, [&](std::string_view text) { file.append(text); });
     file.commit();
   }
-  if (!is_json_output) say("{}", verdict_line(analysis.verdict));
-  note(stdout, "report   {}\n", path);
+  if (!is_json_output) print("{}", verdict_line(analysis.verdict));
+  log(stdout, "report   {}\n", path);
   if (rows.size() == 0) {
-    say(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments.results);
+    print(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments.results);
   }
   return analysis.verdict.exit_code();
 }

@@ -44,14 +44,14 @@ void write_report(const std::string& results, const StudyAnalysis& analysis) {
   try {
     refuse_foreign_page(page, results);
   } catch (const InputError&) {
-    note(stdout,
-         "report   not made: {} is no report of ar3d; `ar3d report {} -o OTHER.html` makes it\n",
-         page, shell_word(results));
+    log(stdout,
+        "report   not made: {} is no report of ar3d; `ar3d report {} -o OTHER.html` makes it\n",
+        page, shell_word(results));
     return;
   }
   write_file_atomically(
       page, render_report(analysis, since_reference(analysis.rows, {}), shown_drawings(analysis)));
-  note(stdout, "report   {}\n", page);
+  log(stdout, "report   {}\n", page);
 }
 
 // Counts what no session before has counted. Where it cannot be, times alone are compared.
@@ -65,15 +65,15 @@ bool count_drawings_of(const std::string& path) {
   try {
     const std::size_t drawings = fill_counts(results, kLargestCounted);
     if (is_interrupted()) {
-      say(stderr, "ar3d: interrupted while counting; go on with `ar3d study resume {}`\n",
-          shell_word(path));
+      print(stderr, "ar3d: interrupted while counting; go on with `ar3d study resume {}`\n",
+            shell_word(path));
       return false;
     }
     if (drawings == 0) return true;
     write_results(results, path);
-    note(stdout, "counted  {} drawings\n", drawings);
+    log(stdout, "counted  {} drawings\n", drawings);
   } catch (const InputError& error) {
-    say(stderr, "ar3d: drawings are not counted: {}\n", printable(error.what()));
+    print(stderr, "ar3d: drawings are not counted: {}\n", printable(error.what()));
   }
   return true;
 }
@@ -88,17 +88,15 @@ int conclude(const JournaledStudy& study, Rows made, bool force, bool unchanged)
   int exit_code = verdict.exit_code();
   nlohmann::ordered_json json = verdict_json(verdict, rows.identity());
   json["results"] = study.results;
-  tell(json, "{}", summary(verdict));
-  note(stdout, "results  {}\n", study.results);
+  print_result(json, "{}", summary(verdict));
+  log(stdout, "results  {}\n", study.results);
   const bool is_timed = std::ranges::any_of(
       study.spec.sweeps, [](const Sweep& sweep) { return sweep.most_timed > 0; });
-  if (!is_timed) {
-    note(stdout, "times    not measured: --timed N does\n");
-  }
-  if (!is_json_output) say("{}", left_out_text(rows.identity()));
+  if (!is_timed) log(stdout, "times    not measured: --timed N does\n");
+  if (!is_json_output) print("{}", left_out_text(rows.identity()));
   if (study.shard.count > 1) {
-    note(stdout, "shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
-         study.shard.index, study.shard.count);
+    log(stdout, "shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
+        study.shard.index, study.shard.count);
   } else {
     write_report(study.results, analyse(rows, std::move(verdict)));
     if (study.spec.keep_drawings != KeptDrawings::none) {
@@ -111,21 +109,22 @@ int conclude(const JournaledStudy& study, Rows made, bool force, bool unchanged)
 }
 
 // What the results of a study of files do not hold, and whether `resume` can change that.
-void tell_limits_of_files(const JournaledStudy& study, const StudyIdentity& identity) {
+void print_limits_of_files(const JournaledStudy& study, const StudyIdentity& identity) {
   const StoredGraphs held = stored_graphs(identity);
   bool is_held = true;
-  std::set<std::string> told;
+  std::set<std::string> seen;
   for (const StudyCorpus& corpus : corpora_of(study)) {
-    if (held.contains(corpus.record.name) || !told.insert(corpus.record.name).second) continue;
+    if (held.contains(corpus.record.name) || !seen.insert(corpus.record.name).second) continue;
     is_held = false;
-    say(stderr,
-        "ar3d: the graphs of {} are more than graphs_bytes = {:.6g}, so the results do not "
-        "hold them: its files have to stay as they are, and `resume` adds none\n",
-        corpus.record.name, study.spec.graphs_bytes);
+    print(stderr,
+          "ar3d: the graphs of {} are more than graphs_bytes = {:.6g}, so the results do not "
+          "hold them: its files have to stay as they are, and `resume` adds none\n",
+          corpus.record.name, study.spec.graphs_bytes);
   }
   const std::vector<std::string> come = files_come_since(study);
   if (come.empty()) return;
-  say(stderr, "ar3d: {} came after the files were listed at {}, and {} not in the results: {}{}\n",
+  print(
+      stderr, "ar3d: {} came after the files were listed at {}, and {} not in the results: {}{}\n",
       come.size() == 1 ? "1 file" : fmt::format("{} files", come.size()),
       time_with_zone(*study.open_files->listed), come.size() == 1 ? "is" : "are", first_few(come),
       is_held ? fmt::format("; `ar3d study resume {}` draws them", shell_word(study.results)) : "");
@@ -136,8 +135,8 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
   // A second signal ends the program at once: what is acknowledged is in the journal.
   const Interruptible interruptible;
   if (ranks.size() > 1 && ranks.is_first()) {
-    note(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
-         ranks.size(), shell_word(study.results));
+    log(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
+        ranks.size(), shell_word(study.results));
   }
   const bool was_whole = ranks.is_first() && study.seed_from_results && study.again.empty() &&
                          study.spec.keep_drawings != KeptDrawings::none &&
@@ -145,13 +144,13 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
   StudyOutcome outcome = run_journaled(study, policy, ranks);
   if (!ranks.is_first()) return kPass;
   study.results = outcome.results;
-  if (!is_quiet_output) tell_limits_of_files(study, outcome.in_hand->identity());
+  if (!is_quiet_output) print_limits_of_files(study, outcome.in_hand->identity());
   if (outcome.complete()) {
     return conclude(study, std::move(*outcome.in_hand), arguments.force, was_whole);
   }
-  say(stderr, "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
-      is_interrupted() ? "interrupted" : "not finished", outcome.rows, study.results,
-      outcome.missing, shell_word(study.results));
+  print(stderr, "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
+        is_interrupted() ? "interrupted" : "not finished", outcome.rows, study.results,
+        outcome.missing, shell_word(study.results));
   if (is_interrupted() && !is_json_output) return kInterrupted;
   const CheckVerdict verdict = judge(*outcome.in_hand, study.results);
   if (is_json_output) print_json(verdict_json(verdict, outcome.in_hand->identity()));
@@ -159,20 +158,20 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
 }
 
 // Why a study has ended early. @param rank  that speaks for itself; nothing: it speaks for all.
-void tell_failure(std::optional<int> rank, const std::string& what,
-                  const std::optional<std::string>& to_be_resumed) {
-  say(stderr, "ar3d: {}{}\n", rank ? fmt::format("rank {}: ", *rank) : "", printable(what));
+void print_failure(std::optional<int> rank, const std::string& what,
+                   const std::optional<std::string>& to_be_resumed) {
+  print(stderr, "ar3d: {}{}\n", rank ? fmt::format("rank {}: ", *rank) : "", printable(what));
   if (!to_be_resumed) return;
-  say(stderr, "ar3d: the rows before are safe; go on with `ar3d study resume {}`\n",
-      shell_word(*to_be_resumed));
+  print(stderr, "ar3d: the rows before are safe; go on with `ar3d study resume {}`\n",
+        shell_word(*to_be_resumed));
 }
 
 // What was assumed of files that leave a choice.
-void tell_reading(const Study& study) {
-  std::set<const Corpus*> told;
+void log_reading(const Study& study) {
+  std::set<const Corpus*> seen;
   for (const StudyCorpus& corpus : corpora_of(study)) {
     const Corpus& graphs = *corpus.corpus;
-    if (told.insert(&graphs).second) tell_notes(graphs.notes());
+    if (seen.insert(&graphs).second) log_notes(graphs.notes());
   }
 }
 
@@ -195,8 +194,8 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
     // Said before the ranks part: mpirun ends all of them as soon as one has left with an error.
     const bool all_know = ranks->size() == 1 || ranks->have_failed;
     if (!all_know || ranks->is_first()) {
-      tell_failure(all_know ? std::nullopt : std::optional(ranks->rank()), error.what(),
-                   exit_code == kIncomplete ? results : std::nullopt);
+      print_failure(all_know ? std::nullopt : std::optional(ranks->rank()), error.what(),
+                    exit_code == kIncomplete ? results : std::nullopt);
     }
     if (!all_know) ranks->abort_all(exit_code);
     return exit_code;
@@ -205,8 +204,8 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
     const JournaledStudy study = begin_together(*ranks, begin_possible);
     results = study.results;
     if (ranks->is_first()) {
-      tell_reading(study);
-      note(stderr, "{}", remarks);
+      log_reading(study);
+      log(stderr, "{}", remarks);
     }
     return run_to_the_end(study, arguments, policy, *ranks);
   } catch (const JournalFull& error) {
@@ -279,25 +278,25 @@ void add_run(CLI::App& study, int& exit_code) {
 }
 
 // Which files of the study's are not as they were; what results hold of them stays.
-void tell_growth(const Study& study) {
-  const auto tell = [](const std::string& name, const std::vector<std::string>& files,
-                       const char* what) {
+void print_growth(const Study& study) {
+  const auto print_files = [](const std::string& name, const std::vector<std::string>& files,
+                              const char* what) {
     if (files.empty()) return;
-    say(stderr, "ar3d: {}: {} file{} {}: {}\n", name, files.size(), files.size() == 1 ? "" : "s",
-        what, first_few(files));
+    print(stderr, "ar3d: {}: {} file{} {}: {}\n", name, files.size(), files.size() == 1 ? "" : "s",
+          what, first_few(files));
   };
-  std::set<std::string> told;
+  std::set<std::string> seen;
   for (const StudyCorpus& corpus : corpora_of(study)) {
-    if (!told.insert(corpus.record.name).second) continue;
+    if (!seen.insert(corpus.record.name).second) continue;
     const auto& [added, changed, gone] = corpus.corpus->growth();
-    tell(corpus.record.name, added, "new, to be drawn");
-    tell(corpus.record.name, changed, "changed, to be drawn beside the rows that are there");
-    tell(corpus.record.name, gone, "gone, whose rows and graphs stay in the results");
+    print_files(corpus.record.name, added, "new, to be drawn");
+    print_files(corpus.record.name, changed, "changed, to be drawn beside the rows that are there");
+    print_files(corpus.record.name, gone, "gone, whose rows and graphs stay in the results");
     std::vector<std::string> reasons;
     if (!corpus.entry->skip) {
       for (const SkippedFile& file : corpus.corpus->skipped()) reasons.push_back(file.reason);
     }
-    tell(corpus.record.name, reasons, "without a graph, left out");
+    print_files(corpus.record.name, reasons, "without a graph, left out");
   }
 }
 
@@ -324,8 +323,8 @@ void add_resume(CLI::App& study, int& exit_code) {
     exit_code = make_study(*arguments, [&] {
       JournaledStudy study = begun_study(arguments->study);
       study.again = again;
-      study.grows = true;
-      tell_growth(study);
+      study.rescan = true;
+      print_growth(study);
       return study;
     });
   });
@@ -346,15 +345,15 @@ int merge(const RunArguments& arguments) {
                 {"results", outcome.complete() ? arguments.output : ""}});
   }
   if (outcome.complete()) {
-    note(stdout, "{} rows of {} files are in {}\n", outcome.rows, arguments.parts.size(),
-         arguments.output);
+    log(stdout, "{} rows of {} files are in {}\n", outcome.rows, arguments.parts.size(),
+        arguments.output);
     return kPass;
   }
-  say(stderr, "ar3d: {} rows are missing, row {} for one{}; nothing was written\n", outcome.missing,
-      outcome.first_missing,
-      outcome.missing_shards.empty()
-          ? ""
-          : fmt::format(" (no file of shard {})", outcome.missing_shards));
+  print(stderr, "ar3d: {} rows are missing, row {} for one{}; nothing was written\n",
+        outcome.missing, outcome.first_missing,
+        outcome.missing_shards.empty()
+            ? ""
+            : fmt::format(" (no file of shard {})", outcome.missing_shards));
   return kIncomplete;
 }
 

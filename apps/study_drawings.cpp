@@ -29,15 +29,15 @@ namespace {
 int write_drawings(const std::string& path, const Rows& rows, KeptDrawings kept) {
   OutputFile file(path);
   const auto [written, repeated, problems] = write_kept_drawings(rows, kept, file);
-  for (const std::string& problem : problems) say(stderr, "ar3d: {}\n", printable(problem));
+  for (const std::string& problem : problems) print(stderr, "ar3d: {}\n", printable(problem));
   if (!problems.empty() && written == 0) {
-    say(stderr, "ar3d: no drawing could be made again; {} is not written\n", path);
+    print(stderr, "ar3d: no drawing could be made again; {} is not written\n", path);
     return kRegression;
   }
   file.commit();
-  note(path == "-" ? stderr : stdout, "drawings {}: {} kept ({}{})\n",
-       path == "-" ? "standard output" : path, written, to_string(kept),
-       repeated == 0 ? "" : fmt::format("; {} more rows have one of these", repeated));
+  log(path == "-" ? stderr : stdout, "drawings {}: {} kept ({}{})\n",
+      path == "-" ? "standard output" : path, written, to_string(kept),
+      repeated == 0 ? "" : fmt::format("; {} more rows have one of these", repeated));
   return problems.empty() ? kPass : kRegression;
 }
 
@@ -68,19 +68,19 @@ int count(const CountArguments& arguments) {
   const std::size_t counted = fill_counts(results, arguments.max_n);
   if (is_interrupted()) return kInterrupted;
   if (counted == 0) {
-    say(stderr, "ar3d: {} has no drawing of ours up to n = {}\n", arguments.results,
-        arguments.max_n);
+    print(stderr, "ar3d: {} has no drawing of ours up to n = {}\n", arguments.results,
+          arguments.max_n);
     return kIncomplete;
   }
-  std::set<std::string> told;
+  std::set<std::string> seen;
   nlohmann::ordered_json drawings = nlohmann::ordered_json::array();
   for (const RunRecord& run : results.runs) {
     if (run.counted_instructions < 0) continue;
     const std::string line =
         fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\n", run.family, run.n, run.seed, run.algorithm,
                     run.options, run.counted_instructions, run.estimated_cycles);
-    if (!told.insert(line).second) continue;
-    note(stdout, "{}", line);
+    if (!seen.insert(line).second) continue;
+    log(stdout, "{}", line);
     drawings.push_back({{"family", run.family},
                         {"n", run.n},
                         {"seed", run.seed},
@@ -121,14 +121,14 @@ int keep_drawings_beside(const std::string& results, const Rows& rows, KeptDrawi
                          bool force, bool unchanged) {
   const std::string path = drawings_path(results);
   if (unchanged && std::filesystem::exists(path) && may_be_replaced(path)) {
-    note(stdout, "drawings {}: as it was, no row is new\n", path);
+    log(stdout, "drawings {}: as it was, no row is new\n", path);
     return kPass;
   }
   if (!force && !may_be_replaced(path)) {
-    say(stderr,
-        "ar3d: {} is no file of drawings and stays as it is; `ar3d replay {} --keep {} "
-        "-o OTHER.jsonl` writes them\n",
-        path, shell_word(results), to_string(kept));
+    print(stderr,
+          "ar3d: {} is no file of drawings and stays as it is; `ar3d replay {} --keep {} "
+          "-o OTHER.jsonl` writes them\n",
+          path, shell_word(results), to_string(kept));
     return kRegression;
   }
   return write_drawings(path, rows, kept);

@@ -81,8 +81,8 @@ void print_collection(const StudyCorpus& collection) {
     const std::size_t count = graphs.count_above(limit);
     if (count > 0) above += fmt::format(", {} of degree above {}", count, limit);
   }
-  say("{}: {} graphs{}, {} files left out\n{}", collection.record.name, graphs.size(), above,
-      graphs.skipped().size(), skipped_text(graphs.skipped()));
+  print("{}: {} graphs{}, {} files left out\n{}", collection.record.name, graphs.size(), above,
+        graphs.skipped().size(), skipped_text(graphs.skipped()));
 }
 
 // Cells of a collection are summed: one line for each algorithm.
@@ -90,9 +90,9 @@ void print_cells(const StudyEstimate& estimate, const std::set<std::string>& col
   std::map<CurveKey, std::vector<CellEstimate>> curves;
   for (const CellEstimate& cell : estimate.cells) {
     if (!collections.contains(cell.curve.family)) {
-      say("{}: {} instances, {} rows, {}\n",
-          cell_label(cell.curve, static_cast<std::int64_t>(cell.n)), cell.instances, cell.rows,
-          cost_of(cell));
+      print("{}: {} instances, {} rows, {}\n",
+            cell_label(cell.curve, static_cast<std::int64_t>(cell.n)), cell.instances, cell.rows,
+            cost_of(cell));
       continue;
     }
     curves[cell.curve].push_back(cell);
@@ -106,8 +106,8 @@ void print_cells(const StudyEstimate& estimate, const std::set<std::string>& col
       total_s += cell.total_s;
     }
     const bool is_known = std::ranges::all_of(cells, &CellEstimate::is_known);
-    say("{}..{}: {} rows, {}\n", cell_label(key, static_cast<std::int64_t>(least.n)), largest.n,
-        rows, is_known ? about(total_s) + " in all" : "time and memory not known");
+    print("{}..{}: {} rows, {}\n", cell_label(key, static_cast<std::int64_t>(least.n)), largest.n,
+          rows, is_known ? about(total_s) + " in all" : "time and memory not known");
   }
 }
 
@@ -176,14 +176,14 @@ void print_estimate(const Study& study, const StudyPlan& plan, const StudyEstima
     if (collections.insert(corpus.record.name).second) print_collection(corpus);
   }
   print_cells(estimate, collections);
-  say("{}{}", left_out_families(plan), crowded_batches(plan));
-  say("{} cells, {} instances, {} rows", estimate.cells.size(), plan.instances.size(),
-      estimate.rows);
-  if (estimate.optional_rows > 0) say(" and at most {} more", estimate.optional_rows);
-  say("\n{}\n", cost_of(estimate, workers));
-  if (study.spec.count) say("counting takes about {} more\n", about(estimate.counting_s));
+  print("{}{}", left_out_families(plan), crowded_batches(plan));
+  print("{} cells, {} instances, {} rows", estimate.cells.size(), plan.instances.size(),
+        estimate.rows);
+  if (estimate.optional_rows > 0) print(" and at most {} more", estimate.optional_rows);
+  print("\n{}\n", cost_of(estimate, workers));
+  if (study.spec.count) print("counting takes about {} more\n", about(estimate.counting_s));
   if (plan.budget.study_s && estimate.wall_s > *plan.budget.study_s) {
-    say("the budget of {} will probably end it earlier\n", about(*plan.budget.study_s));
+    print("the budget of {} will probably end it earlier\n", about(*plan.budget.study_s));
   }
 }
 
@@ -337,8 +337,8 @@ void add_study_plan(CLI::App& study, int&) {
     require_programs(asked.spec);
     const StudyPlan plan = plan_study(asked);
     const int workers = workers_for(*threads);
-    note(stderr, "ar3d: {} graphs planned; small ones are drawn to estimate time and memory\n",
-         plan.instances.size());
+    log(stderr, "ar3d: {} graphs planned; small ones are drawn to estimate time and memory\n",
+        plan.instances.size());
     const StudyEstimate made = estimate(plan, workers);
     if (is_json_output) print_json(plan_json(asked.spec, plan, made));
     if (!is_json_output) print_estimate(asked, plan, made, workers);

@@ -90,13 +90,13 @@ nlohmann::ordered_json standing_json(const JournalStatus& standing) {
 }
 
 void print_details(const JournalStatus& standing, const std::string& file) {
-  say("{}\nbegun    {}\nsource   {}{}\n", line(standing), printable(standing.identity.created),
-      printable(standing.identity.source_hash), standing.identity.dirty ? " and changes" : "");
+  print("{}\nbegun    {}\nsource   {}{}\n", line(standing), printable(standing.identity.created),
+        printable(standing.identity.source_hash), standing.identity.dirty ? " and changes" : "");
   const std::string results = shell_word(results_path_of(file));
   if (standing.writers > 0) {
-    note(stdout, "watch it with `ar3d study status --watch {}`\n", results);
+    log(stdout, "watch it with `ar3d study status --watch {}`\n", results);
   } else if (!standing.complete() || standing.journals > 0) {
-    note(stdout, "go on with `ar3d study resume {}`\n", results);
+    log(stdout, "go on with `ar3d study resume {}`\n", results);
   }
 }
 
@@ -117,13 +117,13 @@ JournalStatus watch(const std::string& file) {
                           left * elapsed.count() / made);
     }
     if (terminal) std::fputs("\r", stdout);
-    say("{}{}", text, terminal ? "" : "\n");
+    print("{}{}", text, terminal ? "" : "\n");
     if (terminal) std::fputs("\033[K", stdout);
     std::fflush(stdout);
     std::this_thread::sleep_for(std::chrono::seconds(1));
     now = standing_of(file);
   }
-  if (terminal) say("\n");
+  if (terminal) print("\n");
   return now;
 }
 
@@ -134,7 +134,7 @@ int show(const StatusArguments& arguments) {
                            .force = arguments.force,
                            .streams = false});
     const StudyOutcome outcome = write_snapshot(begun_study(arguments.file), arguments.snapshot);
-    note(stdout, "{} rows are in {}\n", outcome.rows, arguments.snapshot);
+    log(stdout, "{} rows are in {}\n", outcome.rows, arguments.snapshot);
     return outcome.complete() ? kPass : kIncomplete;
   }
   JournalStatus standing = arguments.watch ? watch(arguments.file) : standing_of(arguments.file);
@@ -150,7 +150,7 @@ int show(const StatusArguments& arguments) {
   if (!is_json_output) print_details(standing, arguments.file);
   nlohmann::ordered_json json = standing_json(standing);
   json["check"] = verdict_json(verdict, rows.identity());
-  tell(json, "{}{}", verdict_line(verdict), left_out_text(rows.identity()));
+  print_result(json, "{}{}", verdict_line(verdict), left_out_text(rows.identity()));
   return verdict.exit_code();
 }
 
@@ -249,7 +249,8 @@ void add_check(CLI::App& app, int& exit_code) {
     CheckVerdict verdict = judge(rows, *path);
     verdict.accepts_unproved = verdict.accepts_unproved || *accepts_unproved;
     const StudyIdentity& identity = rows.identity();
-    tell(verdict_json(verdict, identity), "{}{}", summary(verdict), left_out_text(identity));
+    print_result(verdict_json(verdict, identity), "{}{}", summary(verdict),
+                 left_out_text(identity));
     exit_code = verdict.exit_code();
   });
 }

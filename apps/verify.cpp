@@ -91,7 +91,7 @@ JudgedLine judge(const LineToJudge& task, const VerifyArguments& arguments) {
                  .check_size = !leaves_box_open,
                  .mode = parse_certificate_mode(arguments.certificate),
                  .compares = [&](std::uint64_t pairs) {
-                   note(stderr, "ar3d: {}: compares {} pairs of segments\n", placed.where, pairs);
+                   log(stderr, "ar3d: {}: compares {} pairs of segments\n", placed.where, pairs);
                  }});
     const Certificate& certificate = examination.certificate;
     if (certificate.given_up && certificate.violations.empty()) {
@@ -161,7 +161,7 @@ std::optional<LineToJudge> next_task(const VerifyArguments& arguments,
   std::optional<Graph> graph;
   if (graphs != nullptr) {
     graph = graphs->next();
-    tell_notes(graphs->reader().take_notes());
+    log_notes(graphs->reader().take_notes());
   }
   if (graphs != nullptr && line.has_value() != graph.has_value()) {
     const std::string graph_files = fmt::format("{}", fmt::join(arguments.graphs, " "));
@@ -203,12 +203,13 @@ int verify_drawings(const VerifyArguments& arguments) {
       [&](const JudgedLine& line) {
         ++counts[static_cast<std::size_t>(line.first)];
         if (is_quiet_output || line.second.empty()) return;
-        note(stdout, "{}", line.second);
+        log(stdout, "{}", line.second);
         if (!is_json_output) return;
         messages.push_back({{"verdict", kVerdictNames[static_cast<std::size_t>(line.first)]},
                             {"text", line.second}});
       });
-  tell(counts_json(counts, std::move(messages)), "{}", summary(counts, arguments.certificate));
+  print_result(counts_json(counts, std::move(messages)), "{}",
+               summary(counts, arguments.certificate));
   return exit_code_of(counts);
 }
 

@@ -50,7 +50,7 @@ int view_drawings(VerbFiles files, const std::string& algorithm) {
     return PlacedLine{std::move(*line), inputs.reader().where()};
   };
   write_viewer_page(next, files.page, algorithm);
-  if (files.page != "-") note(stdout, "wrote {}\n", files.page);
+  if (files.page != "-") log(stdout, "wrote {}\n", files.page);
   return kPass;
 }
 

@@ -166,7 +166,7 @@ ordered_json settings_json(const Comparison& comparison) {
 /// Returns what changed most among the cells without a line: a change that was not judged is seen.
 std::string largest_changes(const Comparison& comparison, std::size_t most) {
   std::string text;
-  const auto add = [&](const char* what, const auto& size, const auto& told) {
+  const auto add = [&](const char* what, const auto& size, const auto& line_of) {
     std::vector<const CellComparison*> cells;
     for (const CellComparison& cell : comparison.cells) {
       if (!has_line(cell) && std::abs(size(cell)) > 0) cells.push_back(&cell);  // no NaN
@@ -176,7 +176,7 @@ std::string largest_changes(const Comparison& comparison, std::size_t most) {
     cells.resize(std::min(cells.size(), most));
     if (!cells.empty()) text += fmt::format("largest other changes of {}\n", what);
     for (const CellComparison* cell : cells) {
-      text += fmt::format("  {:<58} {}\n", cell_label(cell->key, cell->n), told(*cell));
+      text += fmt::format("  {:<58} {}\n", cell_label(cell->key, cell->n), line_of(*cell));
     }
   };
   if (!comparison.drawings_only) {

@@ -86,7 +86,7 @@ std::map<std::size_t, std::size_t> named_lines(const Section& section, Quantity 
 void add_growth_row(const ScalingEntry& entry, std::size_t curve, std::size_t named, Table& table) {
   const auto& used = entry.used;
   const CurveFit &power = entry.power, &log = entry.with_log;
-  const Interval told = told_interval(entry);
+  const Interval shown = shown_interval(entry);
   std::vector<TableCell> row = key_cells(entry.key);
   row.insert(row.end(), {name_of(entry.quantity),
                          used.size(),
@@ -105,8 +105,8 @@ void add_growth_row(const ScalingEntry& entry, std::size_t curve, std::size_t na
                          entry.reason,
                          entry.next,
                          curve,
-                         told.low,
-                         told.high,
+                         shown.low,
+                         shown.high,
                          entry.all.size(),
                          entry.censored,
                          entry.reason == kUntimed,

@@ -199,7 +199,7 @@ Quantity nearest_side(const Section& section) {
               : Quantity::longest_side;
 }
 
-Interval told_interval(const ScalingEntry& entry) {
+Interval shown_interval(const ScalingEntry& entry) {
   if (!entry.decided) return {kMissing, kMissing};
   return entry.growth == Growth::power ? entry.law_interval : entry.power.exponent_interval;
 }

@@ -64,7 +64,7 @@ std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve)
 /// Returns the unit of a quantity of the setting's drawings.
 const char* unit_of(const Section& section, Quantity quantity);
 /// Returns the interval that is shown with a growth (docs/analysis.md, Growth, points 4 and 5).
-Interval told_interval(const ScalingEntry& entry);
+Interval shown_interval(const ScalingEntry& entry);
 
 /// Holds the first and the last of sizes that stand together, and of them the one nearest to the
 /// middle of the logarithmic scale.

@@ -128,9 +128,9 @@ void add_exponents(TableMaker& make) {
         ++labels[static_cast<std::size_t>(entry->growth)];
         if (!entry->decided) continue;
         const double exponent = entry->power.exponent;
-        const Interval told = told_interval(*entry);
+        const Interval shown = shown_interval(*entry);
         least = std::fmin(least, exponent), largest = std::fmax(largest, exponent);
-        low = std::fmin(low, told.low), high = std::fmax(high, told.high);
+        low = std::fmin(low, shown.low), high = std::fmax(high, shown.high);
       }
       const bool is_fitted = std::ranges::count(labels, 0U) < 4;
       if (!is_fitted && !is_untimed) continue;
@@ -160,11 +160,11 @@ void add_promise(const Section& section, std::size_t setting, std::size_t axis, 
     if (std::isnan(one) || one <= constant) continue;
     constant = one, largest = curve.name;
   }
-  const Interval told = growth == nullptr ? Interval{kMissing, kMissing} : told_interval(*growth);
+  const Interval shown = growth == nullptr ? Interval{kMissing, kMissing} : shown_interval(*growth);
   table.add({setting, std::string(1, "xyz"[axis]),
              section.published ? TableCell(section.published->axes[axis].formula()) : TableCell(),
-             bound.formula(), growth == nullptr ? kMissing : growth->power.exponent, told.low,
-             told.high, growth == nullptr ? TableCell() : TableCell(to_string(growth->growth)),
+             bound.formula(), growth == nullptr ? kMissing : growth->power.exponent, shown.low,
+             shown.high, growth == nullptr ? TableCell() : TableCell(to_string(growth->growth)),
              fastest, constant, largest, share});
 }
 

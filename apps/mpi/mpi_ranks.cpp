@@ -29,7 +29,7 @@ constexpr int kJobTag = 1;                  // rank 0: the job to prepare; empty
 constexpr int kReadyTag = 2;                // another rank: it is prepared
 constexpr int kGoTag = 3;                   // rank 0: all are prepared
 constexpr int kDoneTag = 4;                 // another rank: the job is done
-constexpr int kToldTag = 5;                 // another rank: the result, or why it failed
+constexpr int kResultTag = 5;               // another rank: the result, or why it failed
 constexpr char kDone = '+', kFailed = '-';  // before it
 
 // The time between two looks for something that may come soon or late: the longer nothing has come,
@@ -61,14 +61,14 @@ std::string receive_text(int from, int tag) {
   return text;
 }
 
-Tell what_failed() {
+GetResult what_failed() {
   return [failure = std::current_exception()]() -> std::string { std::rethrow_exception(failure); };
 }
 
 // The result, or kFailed and why it failed.
-std::string told_by(const Tell& tell) {
+std::string result_of(const GetResult& get_result) {
   try {
-    std::string text = kDone + tell();
+    std::string text = kDone + get_result();
     if (text.size() > std::numeric_limits<int>::max()) {
       throw InternalError("internal error: a rank's rows pass 2 GiB, the most that MPI sends");
     }
@@ -79,7 +79,7 @@ std::string told_by(const Tell& tell) {
 }
 
 // A prepared job, or one that reports why it could not be prepared.
-std::function<Tell()> made_ready(const MakeReady& make_ready, const std::string& job) {
+std::function<GetResult()> made_ready(const MakeReady& make_ready, const std::string& job) {
   try {
     return make_ready(job);
   } catch (...) {
@@ -88,7 +88,7 @@ std::function<Tell()> made_ready(const MakeReady& make_ready, const std::string&
 }
 
 // Does a job. Returns how its result is reported.
-Tell done(const std::function<Tell()>& work) {
+GetResult done(const std::function<GetResult()>& work) {
   try {
     return work();
   } catch (...) {
@@ -135,16 +135,16 @@ class MpiRanks final : public Ranks {
     for (int rank = 1; rank < count; ++rank) receive_text(rank, kReadyTag);
     const Stopwatch time;
     for (int rank = 1; rank < count; ++rank) send_word(rank, kGoTag);
-    const Tell tell = done(work);
+    const GetResult get_result = done(work);
     for (int rank = 1; rank < count; ++rank) receive_word(rank, kDoneTag);
     const double wall_s = time.seconds();
-    std::vector<std::string> told = {told_by(tell)};
-    for (int rank = 1; rank < count; ++rank) told.push_back(receive_text(rank, kToldTag));
-    for (std::string& text : told) {  // after all have come: none is left over
+    std::vector<std::string> texts = {result_of(get_result)};
+    for (int rank = 1; rank < count; ++rank) texts.push_back(receive_text(rank, kResultTag));
+    for (std::string& text : texts) {  // after all have come: none is left over
       if (text.front() == kFailed) throw InternalError(text.substr(1));
       text.erase(0, 1);
     }
-    return {wall_s, std::move(told)};
+    return {wall_s, std::move(texts)};
   }
 
   void serve(const MakeReady& make_ready) override {
@@ -152,9 +152,9 @@ class MpiRanks final : public Ranks {
       const auto work = made_ready(make_ready, job);
       send_word(0, kReadyTag);
       receive_word(0, kGoTag);
-      const Tell tell = done(work);
+      const GetResult get_result = done(work);
       send_word(0, kDoneTag);
-      send_text(told_by(tell), 0, kToldTag);
+      send_text(result_of(get_result), 0, kResultTag);
     }
   }
 

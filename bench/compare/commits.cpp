@@ -15,8 +15,8 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/print.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/measure/processes.h"
 
@@ -56,7 +56,7 @@ bool run_step(const std::vector<std::string>& words, const std::string& ref, con
     if (progress == nullptr || ++seconds % kSecondsBetweenLines != 0) return;
     const std::string steps = steps_done(log);
     if (steps.empty() || steps == last) return;
-    say(progress, "building {}: step {}\n", ref, steps);
+    print(progress, "building {}: step {}\n", ref, steps);
     last = steps;
   };
   const int code = run_child(
@@ -154,7 +154,7 @@ std::optional<std::string> build_reference(const std::string& checkout, const st
   fs::create_directories(folder);
   const fs::path log = folder / (commit + ".log");
   if (progress != nullptr) {
-    say(progress, "building {} as {}, which takes minutes\n", ref, program.string());
+    print(progress, "building {} as {}, which takes minutes\n", ref, program.string());
   }
   const bool is_built = build_program(
       checkout, commit, program,

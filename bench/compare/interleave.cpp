@@ -6,7 +6,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "ar3d/base/say.h"
+#include "ar3d/base/print.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/measure/processes.h"
@@ -71,8 +71,8 @@ std::array<std::vector<Results>, 2> run_interleaved(const std::string& base_prog
     if (options.progress != nullptr) {
       const double left = static_cast<double>(options.rounds - round - 1) * stopwatch.seconds() /
                           static_cast<double>(round + 1);
-      say(options.progress, "round {} of {}, about {:.0f} s left\n", round + 1, options.rounds,
-          left);
+      print(options.progress, "round {} of {}, about {:.0f} s left\n", round + 1, options.rounds,
+            left);
     }
   }
   return rounds;

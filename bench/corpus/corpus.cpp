@@ -188,7 +188,7 @@ class Corpus::Scan {
       return reader->next();
     } catch (const InputError& error) {
       const bool holds_none = corpus_.graphs_in_file_ == graphs_before_;
-      if (!options_.skip && !(options_.looks_again && holds_none)) throw;
+      if (!options_.skip && !(options_.rescan && holds_none)) throw;
       problem = error.what();
       return std::nullopt;
     }
@@ -268,7 +268,7 @@ Corpus::Corpus(const std::vector<CorpusFile>& files, const GraphsEntry& taken,
         fmt::format("none of {} files holds a graph{}", files.size(),
                     skipped_.empty() ? "" : "; the first: " + skipped_.front().reason));
   }
-  scan.finish(taken.looks_again);
+  scan.finish(taken.rescan);
 }
 
 std::size_t Corpus::number_at(std::uint32_t index) const {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "ar3d/base/parallel.h"
-#include "ar3d/base/say.h"
+#include "ar3d/base/print.h"
 #include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/measure/environment.h"
@@ -14,7 +14,7 @@ namespace ar3d {
 namespace {
 
 bool has_grown(const Study& study) {
-  return study.grows && std::ranges::any_of(corpora_of(study), [](const StudyCorpus& corpus) {
+  return study.rescan && std::ranges::any_of(corpora_of(study), [](const StudyCorpus& corpus) {
            const auto& [added, changed, gone] = corpus.corpus->growth();
            return !added.empty() || !changed.empty();
          });
@@ -28,7 +28,7 @@ void fold_journals(const JournaledStudy& study, const StudyIdentity& identity) {
   }
   if (!rows_are_in_results(study.results)) {
     JournaledStudy begun = study;
-    begun.grows = false;
+    begun.rescan = false;
     write_rows_so_far(begun, plan_of(begun), study.results);
   }
   remove_journals(study.results);
@@ -67,8 +67,8 @@ void seed_journal(const JournaledStudy& study, const StudyPlan& plan,
     JournalWriter journal(seed, identity);
     copy_rows(rows, study.again, journal);
     if (!study.again.empty()) {
-      say(stderr, "ar3d: {} of {} rows are made again\n", rows.size() - journal.rows(),
-          rows.size());
+      print(stderr, "ar3d: {} of {} rows are made again\n", rows.size() - journal.rows(),
+            rows.size());
     }
   } catch (...) {  // no room for it, no thread, or refused
     std::error_code ignored;
@@ -96,11 +96,11 @@ std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const Sess
 // With --quiet only the loss of a half-written row, which was never acknowledged, goes unsaid.
 void tell_of_cut_bytes(const JournalWriter& journal, const std::string& path, std::FILE* progress) {
   if (!journal.cut_file().empty()) {
-    say(stderr, "ar3d: {} ended with {} bytes that are no row of it; they are kept in {}\n", path,
-        journal.bytes_cut(), journal.cut_file());
+    print(stderr, "ar3d: {} ended with {} bytes that are no row of it; they are kept in {}\n", path,
+          journal.bytes_cut(), journal.cut_file());
   } else if (progress != nullptr && journal.bytes_cut() > 0) {
-    say(progress, "ar3d: {} ended with {} bytes of an unfinished row; they are cut off\n", path,
-        journal.bytes_cut());
+    print(progress, "ar3d: {} ended with {} bytes of an unfinished row; they are cut off\n", path,
+          journal.bytes_cut());
   }
 }
 

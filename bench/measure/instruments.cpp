@@ -138,9 +138,9 @@ RowMemory::RowMemory(MemoryScope scope) : scope_(scope) {
   restart();
   if (scope_ == MemoryScope::process) return;
   // A process that was started by a larger one keeps that one's peak in getrusage for ever.
-  const std::int64_t told = largest_resident();
+  const std::int64_t largest = largest_resident();
   first_base_ = high_water_mark();
-  if (told > first_base_) floor_ = told;
+  if (largest > first_base_) floor_ = largest;
 }
 
 std::int64_t RowMemory::begin_row() {
@@ -159,8 +159,8 @@ void RowMemory::restart() {
 }
 
 std::int64_t RowMemory::peak_bytes() const {
-  const std::int64_t told = largest_resident();
-  if (scope_ == MemoryScope::process || told > floor_) return told;
+  const std::int64_t largest = largest_resident();
+  if (scope_ == MemoryScope::process || largest > floor_) return largest;
   return high_water_mark();
 }
 

@@ -68,13 +68,13 @@ std::string changed_file(const Study& known, const std::string& family, const Co
 
 /// What a corpus is opened by: files and options.
 std::string file_key(const GraphFileRecord& record, const GraphsEntry& entry, bool is_held,
-                     bool grows) {
+                     bool rescan) {
   const ReadOptions& reading = entry.reading;
   return fmt::format("{}\n{}\n{}\n{};{};{};{};{};{};{};{};{};{};{}", record.name, record.path,
                      record.groups, reading.format, reading.base.value_or(2),
                      static_cast<int>(reading.first_line), reading.simplify, reading.undirected,
                      entry.largest_component, entry.sample, entry.sample_seed, entry.skip, is_held,
-                     grows);
+                     rescan);
 }
 
 void require_name(const GraphFileRecord& record, const GraphsEntry& entry) {
@@ -161,18 +161,18 @@ class CorpusReader {
   std::shared_ptr<const Corpus> opened(const GraphFileRecord& record, GraphsEntry entry) const {
     try {
       entry.sample_seed = study_.spec.seed;
-      const bool grows = study_.grows && entry.sample == 0;  // a sample stays as it was drawn
+      const bool rescan = study_.rescan && entry.sample == 0;  // a sample stays as it was drawn
       std::shared_ptr<const Corpus>& corpus =
-          study_.open_files->corpora[file_key(record, entry, is_held(record), grows)];
+          study_.open_files->corpora[file_key(record, entry, is_held(record), rescan)];
       if (corpus) return corpus;
       std::vector<CorpusFile> files = held_files(study_, record);
-      if (files.empty() || grows) {
+      if (files.empty() || rescan) {
         for (CorpusFile& file : files_now(record, entry, !files.empty())) {
           files.push_back(std::move(file));
         }
       }
       if (files.empty()) refuse_empty(entry);
-      entry.looks_again = grows && files.front().held;
+      entry.rescan = rescan && files.front().held;
       return corpus = std::make_shared<const Corpus>(files, entry, record.name);
     } catch (const InputError& error) {
       const std::string message = error.what();

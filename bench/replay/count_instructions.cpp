@@ -13,8 +13,8 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/print.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/say.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/replay/replay_row.h"
@@ -289,7 +289,7 @@ std::size_t fill_counts(Results& results, std::int64_t max_n) {
       drawings += rows.size();
     } catch (const std::exception& error) {
       if (program == nullptr) throw;
-      say(stderr, "ar3d: {} is not counted: {}\n", program->row.name, printable(error.what()));
+      print(stderr, "ar3d: {} is not counted: {}\n", program->row.name, printable(error.what()));
     }
   }
   for (RunRecord& run : results.runs) {

@@ -135,8 +135,9 @@ std::vector<RunRecord> shared_by_threads(int threads, const PlannedInstance& ins
 }
 
 // Makes a rank's part of a batch ready.
-std::function<Tell()> part_of_batch(const StudyPlan& plan, int rank, RowMaker& maker,
-                                    const std::function<bool()>& stop, const std::string& job) {
+std::function<GetResult()> part_of_batch(const StudyPlan& plan, int rank, RowMaker& maker,
+                                         const std::function<bool()>& stop,
+                                         const std::string& job) {
   std::istringstream words(job);
   int count = 1;
   std::size_t index = 0;
@@ -172,7 +173,7 @@ std::vector<RunRecord> shared_by_ranks(int count, std::size_t index,
   const std::function<bool()> stop = [&session] { return session.stopped(); };
   Ranks alone;
   Ranks* const ranks = session.policy().ranks;
-  const auto& [wall_s, told] =
+  const auto& [wall_s, texts] =
       (ranks != nullptr ? *ranks : alone)
           .at_once(count, fmt::format("{} {} {}", count, index, fmt::join(runs, " ")),
                    [&](const std::string& job) {
@@ -180,13 +181,13 @@ std::vector<RunRecord> shared_by_ranks(int count, std::size_t index,
                    });
   std::vector<RunRecord> made(runs.size());
   for (int rank = 0; rank < count; ++rank) {
-    const std::string& text = told[static_cast<std::size_t>(rank)];
+    const std::string& text = texts[static_cast<std::size_t>(rank)];
     const std::vector<std::size_t> indices = indices_of_rank(rank, count, runs.size());
     const std::size_t size = row_message_size();
-    expect(text.size() == indices.size() * size, "a rank tells its rows");
+    expect(text.size() == indices.size() * size, "a rank sends its rows");
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const std::string_view bytes(text.data() + i * size, size);
-      expect(read_row_message(bytes, made[indices[i]]) == kDrawn, "a rank tells its rows whole");
+      expect(read_row_message(bytes, made[indices[i]]) == kDrawn, "a rank sends its rows whole");
       made[indices[i]].batch_s = wall_s;
     }
   }

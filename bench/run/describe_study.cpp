@@ -109,10 +109,10 @@ void require_programs(const StudySpec& spec) {
 std::string notes_text(const std::vector<StudyCorpus>& corpora) {
   constexpr std::size_t kMost = 20;
   std::vector<std::string> notes;
-  std::set<const Corpus*> told;
+  std::set<const Corpus*> seen;
   for (const StudyCorpus& corpus : corpora) {
     const Corpus* const graphs = corpus.corpus.get();
-    if (!told.insert(graphs).second) continue;
+    if (!seen.insert(graphs).second) continue;
     for (const std::string& note : graphs->notes()) notes.push_back(printable(note));
   }
   const std::size_t more = notes.size() > kMost ? notes.size() - kMost : 0;

@@ -11,10 +11,10 @@
 
 namespace ar3d {
 
-/// Tells what came of a job.
-using Tell = std::function<std::string()>;
+/// Gives the result of a job.
+using GetResult = std::function<std::string()>;
 /// Makes a job ready, whatever is not to be timed. What it returns is timed.
-using MakeReady = std::function<std::function<Tell()>(const std::string& job)>;
+using MakeReady = std::function<std::function<GetResult()>(const std::string& job)>;
 
 /// Represents the processes that make one study together. This class is a process that is alone;
 /// the program for mpirun has another (apps/mpi/mpi_ranks.cpp). What several ranks do together, all
@@ -36,17 +36,16 @@ class Ranks {
 
   /// Has, on rank 0, ranks 0 .. count - 1 make a job ready, wait for each other, and do it at the
   /// same time, by rank 0's clock; the others are in serve() meanwhile.
-  /// @return wall time from the word to begin to the news that the last is done, and what is told of
-  /// it, rank by rank. @throws InternalError what went wrong at one of them.
-  /// @pre count <= size().
+  /// @return wall time from the word to begin to the news that the last is done, and the results,
+  /// rank by rank. @throws InternalError what went wrong at one of them. @pre count <= size().
   virtual std::pair<double, std::vector<std::string>> at_once(int count, const std::string& job,
                                                               const MakeReady& make_ready) {
     (void)count;
-    const std::function<Tell()> work = make_ready(job);
+    const std::function<GetResult()> work = make_ready(job);
     const Stopwatch time;
-    const Tell tell = work();
+    const GetResult get_result = work();
     const double wall_s = time.seconds();
-    return {wall_s, {tell()}};
+    return {wall_s, {get_result()}};
   }
   /// Does, on the others, the jobs of rank 0 until it calls stop_serving().
   virtual void serve(const MakeReady& make_ready) { (void)make_ready; }

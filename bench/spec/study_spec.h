@@ -95,7 +95,7 @@ struct GraphsEntry {
   std::uint64_t sample_seed = 0;   ///< the study's
   bool skip = false;  ///< a file is read up to its first error and listed; else that is thrown
   /// Files are held, and all that there are now stand behind them; one without a graph is skipped.
-  bool looks_again = false;
+  bool rescan = false;
   std::vector<std::int64_t> shuffles = {0};  ///< numbers of the permutations of the labels; 0: none
   std::string location;                      ///< "FILE:LINE: " of the specification, for messages
 };
@@ -176,7 +176,7 @@ struct Study {
   std::shared_ptr<const StoredGraphs> stored_graphs = {};
   /// Holds results, report and drawings of the study; none of them is a graph of a folder.
   std::vector<std::string> own_files = {};
-  bool grows = false;  ///< what they hold by now and the study does not is to be added
+  bool rescan = false;  ///< graphs that the files hold by now are added
   /// Holds files that were opened, for all copies of the study.
   std::shared_ptr<OpenFiles> open_files = std::make_shared<OpenFiles>();
 };

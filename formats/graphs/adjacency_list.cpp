@@ -177,15 +177,15 @@ class AdjacencyListParser final : public GraphParser {
     while (!row_lines_.empty() && row_lines_.back() == 0) row_lines_.pop_back();
     const std::uint64_t largest = row_lines_.size();  // + 1
     const unsigned first = rows_ > 0 && row_lines_[0] == 0 ? 1 : 0;
-    const std::optional<unsigned> told = sizes_ && sizes_->base ? sizes_->base
-                                         : options_.base        ? options_.base
-                                                                : std::nullopt;
+    const std::optional<unsigned> declared = sizes_ && sizes_->base ? sizes_->base
+                                             : options_.base        ? options_.base
+                                                                    : std::nullopt;
     if (largest - (rows_ > 0 ? first : 0) == rows_) {
-      if (told && rows_ > 0 && *told != first) refuse_base(*told);
-      if (first == 1 && !told) note(0, fmt::format("ids are from 1 to {}", rows_));
+      if (declared && rows_ > 0 && *declared != first) refuse_base(*declared);
+      if (first == 1 && !declared) note(0, fmt::format("ids are from 1 to {}", rows_));
       return renumbered(largest, [&](Vertex v) { return v - first; });
     }
-    if (told) refuse_base(*told);
+    if (declared) refuse_base(*declared);
     note(0,
          fmt::format("ids up to {} of {} vertices have gaps: they are names", largest - 1, rows_));
     std::vector<Vertex> index(largest);
