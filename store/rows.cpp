@@ -32,9 +32,8 @@ RowFile opened(const std::string& path) {
 
 // A file with rows.
 struct Rows::Source {
-  explicit Source(const std::string& path_of_file) : path(path_of_file), file(opened(path)) {}
-  explicit Source(RunReader reader, const std::string& path_of_file)
-      : path(path_of_file), file(std::move(reader)) {}
+  Source(const std::string& path_of_file, RowFile opened)
+      : path(path_of_file), file(std::move(opened)) {}
 
   // Returns what `use` makes of the reader.
   template <class Use>
@@ -53,15 +52,10 @@ Rows::Rows(Rows&&) noexcept = default;
 Rows& Rows::operator=(Rows&&) noexcept = default;
 
 Rows::Rows(const Results& results)
-    : Rows(static_cast<const StudyIdentity&>(results), results.environment, results.runs.size(),
-           [&results](std::size_t row) -> const RunRecord& { return results.runs[row]; }) {}
-
-Rows::Rows(StudyIdentity identity, std::vector<EnvironmentEntry> environment, std::size_t count,
-           InHand in_hand)
-    : identity_(std::move(identity)),
-      environment_(std::move(environment)),
-      size_(count),
-      in_hand_(std::move(in_hand)) {}
+    : identity_(results),
+      environment_(results.environment),
+      size_(results.runs.size()),
+      in_hand_(&results) {}
 
 Rows::Rows(const std::string& results) : file(results) {
   RunReader reader(results);
@@ -69,7 +63,7 @@ Rows::Rows(const std::string& results) : file(results) {
   environment_ = reader.environment();
   size_ = reader.size();
   algorithms_ = side_records<AlgorithmRecord>(identity_);
-  sources_.emplace_back(std::move(reader), results);
+  sources_.emplace_back(results, std::move(reader));
 }
 
 Rows::Rows(const std::vector<std::string>& files) {
@@ -84,7 +78,7 @@ Rows::Rows(const std::vector<std::string>& files) {
 }
 
 void Rows::add(const std::string& path) {
-  Source source(path);
+  Source source(path, opened(path));
   const auto other = source.with([](auto& reader) { return reader.identity(); });
   if (sources_.empty()) identity_ = other;
   const auto compare = [&](const char* what, const std::string& a, const std::string& b) {
@@ -186,7 +180,7 @@ void Rows::require_equal(std::size_t a, std::size_t b) const {
 
 void Rows::read(std::size_t row, char* record) const {
   static const Column& session = run_column("session");
-  if (in_hand_) return store_record(in_hand_(row), record);
+  if (in_hand_ != nullptr) return store_record(in_hand_->runs[row], record);
   expect(row < size_, "there is that row");
   const bool is_one_file = index_.empty();  // its rows stand in its order, with its session numbers
   const Source& source = sources_[is_one_file ? 0 : index_[row].source];
@@ -204,7 +198,7 @@ void Rows::read(std::size_t row, char* record) const {
 }
 
 const RunRecord& Rows::run(std::size_t row) const {
-  if (in_hand_) return in_hand_(row);
+  if (in_hand_ != nullptr) return in_hand_->runs[row];
   record_.resize(run_record_size());
   read(row, record_.data());
   try {

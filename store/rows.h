@@ -22,14 +22,9 @@ struct Results : StudyIdentity {
 /// millions of them need not fit into memory.
 class Rows {
  public:
-  /// Gives row 0, 1, …; valid until the next call.
-  using InHand = std::function<const RunRecord&(std::size_t row)>;
-
   /// Rows in hand; they outlive it.
   // NOLINTNEXTLINE(google-explicit-constructor): results are rows
   Rows(const Results& results);
-  Rows(StudyIdentity identity, std::vector<EnvironmentEntry> environment, std::size_t count,
-       InHand in_hand);
   /// Rows of a results file, in its order. Memory: a few hundred rows. @throws InputError as
   /// RunReader.
   explicit Rows(const std::string& results);
@@ -95,7 +90,7 @@ class Rows {
   std::vector<EnvironmentEntry> environment_;
   std::vector<AlgorithmRecord> algorithms_;  // whose bounds rows get
   std::size_t size_ = 0;
-  InHand in_hand_;  // instead of files
+  const Results* in_hand_ = nullptr;  // instead of files
   std::vector<Source> sources_;
   std::vector<FiledRow> index_;  // by key, or as arranged; empty: as they stand in the one file
   mutable std::vector<char> record_;

@@ -266,6 +266,19 @@ std::vector<TimeVerdict> judge_rounds(const std::vector<std::vector<double>>& lo
   return times;
 }
 
+/// Gives a cell that its own rounds leave open the verdict of its setting, unless they differ from
+/// the setting's estimate: by the signed-rank test, its p-value times `tests` at most the rule's
+/// false_discovery_rate. @param log_ratios  of the cell's rounds.
+void follow_setting(const TimeVerdict& setting, std::vector<double> log_ratios,
+                    const CompareOptions& rule, std::size_t tests, TimeVerdict& cell) {
+  if (cell.change != Verdict::inconclusive || cell.pairs < fewest_pairs(rule)) return;
+  for (double& ratio : log_ratios) ratio -= setting.estimate;
+  const double p = judge_times({std::move(log_ratios)}, rule).front().p_value();
+  if (p * static_cast<double>(tests) <= rule.false_discovery_rate) return;
+  cell.change = setting.change;
+  cell.follows_setting = cell.change != Verdict::inconclusive;
+}
+
 }  // namespace
 
 Comparison compare(const Results& base, const Results& now, const CompareOptions& options) {

@@ -71,16 +71,6 @@ CurveKey setting_of(const RunRecord& run) { return {run.algorithm, run.options, 
 
 }  // namespace
 
-void follow_setting(const TimeVerdict& setting, std::vector<double> log_ratios,
-                    const CompareOptions& rule, std::size_t tests, TimeVerdict& cell) {
-  if (cell.change != Verdict::inconclusive || cell.pairs < fewest_pairs(rule)) return;
-  for (double& ratio : log_ratios) ratio -= setting.estimate;
-  const double p = judge_times({std::move(log_ratios)}, rule).front().p_value();
-  if (p * static_cast<double>(tests) <= rule.false_discovery_rate) return;
-  cell.change = setting.change;
-  cell.follows_setting = cell.change != Verdict::inconclusive;
-}
-
 void judge_settings(const SettingVerdicts& rounds, Comparison& comparison) {
   std::vector<std::vector<const CellComparison*>> by_setting;
   std::map<std::string, std::size_t> index_of;

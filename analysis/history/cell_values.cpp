@@ -16,12 +16,11 @@ struct GraphValues {
   bool is_unfinished = false;
   // log_corrected_time() with its round, of the metrics phase and of the timing phase.
   std::vector<std::pair<std::int64_t, double>> times, timing;
-  std::array<double, kMeasures.size()> logs{
-      kMissing, kMissing, kMissing, kMissing,
-      kMissing, kMissing, kMissing};  // by Measure; plain from bends on
+  std::array<double, kMeasures.size()> logs;  // by Measure; plain from bends on
   std::array<std::int64_t, 3> extents{-1, -1, -1};
   double m = kMissing;
   bool is_measured = false;
+  GraphValues() { logs.fill(kMissing); }
 };
 
 using GraphTable = std::map<GraphRounds::key_type, GraphValues>;

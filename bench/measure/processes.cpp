@@ -23,6 +23,7 @@
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/system_calls.h"
 #include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/measure/instruments.h"
 
 namespace ar3d {
 namespace {
@@ -39,25 +40,22 @@ void note_first(int signal) {
 
 /// Looks every 20 ms whether the child has ended or is to.
 void watch(Child& child, const ChildOptions& options) {
-  using Clock = std::chrono::steady_clock;
-  auto next_call = Clock::now() + std::chrono::seconds(1);
-  const auto begin = Clock::now();
-  Clock::time_point patience{};  // until then it may end by itself
+  const Stopwatch time;
+  double next_call_s = 1, patience_s = 0;  // until the latter it may end by itself
   while (!child.has_ended()) {
-    const auto now = Clock::now();
-    const std::chrono::duration<double> so_far = now - begin;
-    if (options.limit_s && so_far.count() > *options.limit_s) child.kill();
+    const double now_s = time.seconds();
+    if (options.limit_s && now_s > *options.limit_s) child.kill();
     if (options.ends_when_interrupted && is_interrupted()) {
-      if (patience == Clock::time_point{}) {
-        patience = now + std::chrono::seconds(10);
+      if (patience_s == 0) {
+        patience_s = now_s + 10;
         child.send(SIGINT);
-      } else if (now > patience) {
+      } else if (now_s > patience_s) {
         child.kill();
       }
     }
-    if (options.every_second && now >= next_call) {
+    if (options.every_second && now_s >= next_call_s) {
       options.every_second();
-      next_call = now + std::chrono::seconds(1);
+      next_call_s = now_s + 1;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
@@ -93,16 +91,15 @@ void set_limits(const std::optional<double>& cpu_s, double memory_bytes) {
 Interruptible::Interruptible(bool ignores_second) {
   g_is_interrupted = false;
   const auto handler = ignores_second ? note : note_first;
-  before_int_ = std::signal(SIGINT, handler);
-  before_term_ = std::signal(SIGTERM, handler);
-  before_hup_ = std::signal(SIGHUP, SIG_IGN);
-  if (before_hup_ != SIG_IGN) std::signal(SIGHUP, handler);
+  before_ = {std::signal(SIGINT, handler), std::signal(SIGTERM, handler),
+             std::signal(SIGHUP, SIG_IGN)};
+  if (before_[2] != SIG_IGN) std::signal(SIGHUP, handler);
 }
 
 Interruptible::~Interruptible() {
-  std::signal(SIGINT, before_int_);
-  std::signal(SIGTERM, before_term_);
-  std::signal(SIGHUP, before_hup_);
+  std::signal(SIGINT, before_[0]);
+  std::signal(SIGTERM, before_[1]);
+  std::signal(SIGHUP, before_[2]);
   g_is_interrupted = false;
 }
 

@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -23,9 +24,7 @@ class Interruptible {
   ~Interruptible();
 
  private:
-  void (*before_int_)(int);
-  void (*before_term_)(int);
-  void (*before_hup_)(int);
+  std::array<void (*)(int), 3> before_;  // for SIGINT, SIGTERM and SIGHUP
 };
 
 /// Returns true once the living Interruptible was asked to stop. Safe in every thread.

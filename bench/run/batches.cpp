@@ -86,13 +86,12 @@ class BatchRows {
 // Draws all rows of a batch in threads that begin at the same time. Returns the wall time from the
 // first thread's start, which all wait for, to the last thread's end.
 double drawn_in_threads(BatchRows& rows, int threads) {
-  using Clock = std::chrono::steady_clock;
+  const Stopwatch time;
   const std::vector<int> cores = allowed_cores();
   const bool pin = static_cast<std::size_t>(threads) <= cores.size();
   std::barrier start(threads);
   std::mutex mutex;
-  Clock::time_point first_start = Clock::time_point::max();
-  Clock::time_point last_end = Clock::time_point::min();
+  double first_start_s = std::numeric_limits<double>::infinity(), last_end_s = 0;
   in_threads(static_cast<std::uint32_t>(threads), [&](std::uint32_t i) {
     const int core = pin ? cores[cores.size() - 1 - i] : -1;
     bool waited = false;
@@ -103,19 +102,19 @@ double drawn_in_threads(BatchRows& rows, int threads) {
       rows.warm_up();
       start.arrive_and_wait();
       waited = true;
-      const Clock::time_point begun = Clock::now();
+      const double begun_s = time.seconds();
       while (rows.draw_next(core, counters)) {
       }
-      const Clock::time_point ended = Clock::now();
+      const double ended_s = time.seconds();
       const std::lock_guard<std::mutex> lock(mutex);
-      first_start = std::min(first_start, begun);
-      last_end = std::max(last_end, ended);
+      first_start_s = std::min(first_start_s, begun_s);
+      last_end_s = std::max(last_end_s, ended_s);
     } catch (...) {
       if (!waited) start.arrive_and_wait();
       throw;
     }
   });
-  return std::chrono::duration<double>(last_end - first_start).count();
+  return last_end_s - first_start_s;
 }
 
 // The rows of a batch at these places in the runs of an instance, which are of one drawing: in the

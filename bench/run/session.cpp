@@ -57,21 +57,18 @@ class StudySession::Progress {
     ++rows_;
     work_ += work;
     if (!ok) ++not_ok_;
-    const Clock::time_point now = Clock::now();
-    if (now - last_ >= std::chrono::milliseconds(terminal_ ? 200 : 60000)) print(now);
+    if (time_.seconds() - last_s_ >= (terminal_ ? 0.2 : 60)) print();
   }
 
   // Ends the line on a terminal.
   void finish() {
     if (out_ == nullptr) return;
-    print(Clock::now());
+    print();
     if (terminal_) std::fputc('\n', out_);
     out_ = nullptr;
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void count_rows(const StudyPlan& plan, const RowSink& sink) {
     if (sink.there == nullptr) {  // a million instances need not be made for it
       for (const PlannedBlock& block : plan.instances.blocks()) {
@@ -91,9 +88,9 @@ class StudySession::Progress {
     }
   }
 
-  void print(Clock::time_point now) {
-    last_ = now;
-    const std::string text = line(std::chrono::duration<double>(now - start_).count());
+  void print() {
+    last_s_ = time_.seconds();
+    const std::string text = line(last_s_);
     std::fprintf(out_, terminal_ ? "\r%s\033[K" : "%s\n", text.c_str());
     std::fflush(out_);
   }
@@ -119,8 +116,8 @@ class StudySession::Progress {
   std::size_t rows_ = 0;
   std::size_t not_ok_ = 0;
   double work_ = 0;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
+  const Stopwatch time_;
+  double last_s_ = 0;  // when it was last told
 };
 
 int workers_for(int asked, int ranks) {

@@ -87,20 +87,20 @@ TEST(Tally, MeasuredRowsAreDrawnRowsWithoutABound) {
   EXPECT_NE(page.find("measured, not judged"), std::string::npos);
 }
 
-/// Rows of one curve that are made when they are read.
-Rows made_rows(std::size_t count) {
-  const auto run = std::make_shared<ar3d::RunRecord>();
-  return {{}, {}, count, [run](std::size_t row) -> const ar3d::RunRecord& {
-            *run = good_run("diamond", "cubic", 64, static_cast<std::int64_t>(row));
-            run->extents[0] = 100 + static_cast<std::int64_t>(row * 7919 % 100);
-            if (row == 12345) run->extents[0] = 300;  // of 341: the closest to the bound of all
-            return *run;
-          }};
+/// Rows of one curve.
+Results made_rows(std::size_t count) {
+  Results results;
+  for (std::size_t row = 0; row < count; ++row) {
+    results.runs.push_back(good_run("diamond", "cubic", 64, static_cast<std::int64_t>(row)));
+    results.runs[row].extents[0] = 100 + static_cast<std::int64_t>(row * 7919 % 100);
+    if (row == 12345) results.runs[row].extents[0] = 300;  // of 341: the closest to the bound
+  }
+  return results;
 }
 
 TEST(Tally, KeepsASampleOfVeryManyGraphsAndCountsAll) {
   const std::size_t count = 30000;
-  const Rows rows = made_rows(count);
+  const Results rows = made_rows(count);
   const CheckVerdict verdict = ar3d::check(rows);
   EXPECT_EQ(verdict.exit_code(), 0);
   const StudyTally tally = ar3d::tally_of(rows, verdict.is_last_repetition);
@@ -114,7 +114,7 @@ TEST(Tally, KeepsASampleOfVeryManyGraphsAndCountsAll) {
   double sum = 0;
   std::vector<double> extents, kept;
   for (std::size_t row = 0; row < count; ++row) {
-    extents.push_back(static_cast<double>(rows.run(row).extents[0]));
+    extents.push_back(static_cast<double>(rows.runs[row].extents[0]));
     sum += std::log(extents.back());
   }
   for (const DrawnGraph& graph : size.graphs) {
@@ -128,7 +128,7 @@ TEST(Tally, KeepsASampleOfVeryManyGraphsAndCountsAll) {
 }
 
 TEST(Tally, SamplesHaveTheMeansOfAllInTheirFits) {
-  const Rows rows = made_rows(10000);
+  const Results rows = made_rows(10000);
   const StudyTally tally = ar3d::tally_of(rows, ar3d::check(rows).is_last_repetition);
   const std::vector<SizeSample> sizes = samples(tally.curves[0], Quantity::extent_x);
   ASSERT_EQ(sizes.size(), 1u);
