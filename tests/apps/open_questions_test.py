@@ -127,6 +127,13 @@ class FaceDrawings(Program):
         for bad in ("'D~{'", "''", "C", "'~~'", "'C~~'"):
             self.assertNotEqual(self.expect(f"{self.script} {bad}", 1).err, "")
 
+    def test_graphs_that_two_edges_cut_are_drawn_with_two_bends(self):
+        axes = "1,1,0:1,-1,0:1,0,1:1,0,-1:0,1,1:0,1,-1"
+        promise = f"--bends 2 --cosine -1/2 --exactly --directions={axes}"
+        for n, count in ((8, 1), (10, 4), (12, 24)):
+            self.expect(f"nauty-geng -q -C -d3 -D3 {n} | /usr/bin/python3 {FOLDER}/bridgeless.py ar3d | ar3d verify - {promise}",
+                        out=f"{count} certified, 0 violated")
+
 
 class OpenQuestionsLong(Program):
     def test_no_graph_of_at_most_8_vertices_has_one_bend_on_faces(self):
