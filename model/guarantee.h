@@ -90,10 +90,10 @@ struct Guarantee {
   AngleRule angle_rule = AngleRule::exactly;
   Cosine cosine;
   Lattice lattice;
-  std::vector<Vector> directions;    ///< allowed segment directions up to sign; empty: any
-  bool vertices_in_plane = false;    ///< all vertices have z = 0
-  SizeBound bound;                   ///< holds for every input; all zero if none is promised
-  std::vector<SizeBound> published;  ///< bounds of others, for comparison only
+  std::vector<Vector> directions = {};    ///< allowed segment directions up to sign; empty: any
+  bool vertices_in_plane = false;         ///< all vertices have z = 0
+  SizeBound bound = {};                   ///< holds for every input; all zero if none is promised
+  std::vector<SizeBound> published = {};  ///< bounds of others, for comparison only
 };
 
 }  // namespace ar3d

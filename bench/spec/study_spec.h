@@ -85,11 +85,11 @@ struct AlgorithmChoice {
 
 /// Describes files whose graphs are instances, and how these are taken.
 struct GraphsEntry {
-  std::string file;  ///< path or pattern (glob) of the specification; of a collection also a folder
-  std::string name;  ///< empty: the file's own
+  std::string file = {};       ///< path or pattern (glob); of a collection also a folder
+  std::string name = {};       ///< empty: the file's own
   bool is_collection = false;  ///< all files together are one family
-  std::string groups;   ///< of a collection: path of a table file → group; empty: sub-folders
-  ReadOptions reading;  ///< whether loops and parallel edges are dropped, too
+  std::string groups = {};  ///< of a collection: path of a table file → group; empty: sub-folders
+  ReadOptions reading = {};        ///< whether loops and parallel edges are dropped, too
   bool largest_component = false;  ///< of each graph only its largest connected component
   std::uint64_t sample = 0;        ///< so many of the graphs; 0: all
   std::uint64_t sample_seed = 0;   ///< the study's
@@ -97,7 +97,7 @@ struct GraphsEntry {
   /// Files are held, and all that there are now stand behind them; one without a graph is skipped.
   bool rescan = false;
   std::vector<std::int64_t> shuffles = {0};  ///< numbers of the permutations of the labels; 0: none
-  std::string location;                      ///< "FILE:LINE: " of the specification, for messages
+  std::string location = {};                 ///< "FILE:LINE: " of the specification, for messages
 };
 
 /// Holds what an include or exclude entry says: an empty name matches all.
