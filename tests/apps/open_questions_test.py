@@ -90,7 +90,7 @@ class SmallDrawings(Program):
         self.assertNotIn("two-bend-109", lines, "no algorithm of ours drew them")
         boxes = [box(json.loads(line)) for line in lines.splitlines()]
         self.assertEqual(boxes, ["29 x 41 x 38", "14 x 14 x 14", "12 x 12 x 14"])
-        self.assertHas(read(f"{SOURCE}/docs/open-questions.md"), boxes)
+        self.assertHas(read(f"{SOURCE}/docs/open-questions.md"), [size.replace(" x ", "×") for size in boxes])
 
     def test_the_search_finds_a_drawing_or_says_that_it_finds_none(self):
         search = f"/usr/bin/python3 {FOLDER}/small_drawings.py "
