@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Draws connected cubic graphs that two edges cut, but no bridge, with two bends per edge and 120 degrees along face
-diagonals, as docs/two-bend-120.md proves it: Lemmas F.10 to F.13.
+"""Draws connected cubic graphs without bridges with two bends per edge and 120 degrees along face diagonals, as
+docs/two-bend-120.md proves it: Lemmas F.10 to F.13.
 
-    nauty-geng -C -d3 -D3 10 | bridgeless.py AR3D > drawings.jsonl
-    ar3d verify drawings.jsonl --bends 2 --cosine -1/2 --exactly
+    nauty-geng -C -d3 -D3 10 > ten.g6
+    bridgeless.py AR3D < ten.g6 > drawings.jsonl
+    ar3d verify drawings.jsonl --graphs ten.g6 --bends 2 --cosine -1/2 --exactly
 
-reads graph6 lines of at most 62 vertices; 3-connected graphs, which `ar3d draw` draws, are left out. AR3D is the program,
-which draws one 3-connected part of each graph. Cost: that of trying all pairs of edges and all paths; graphs are small.
+reads graph6 lines of at most 62 vertices. AR3D is the program, which draws one 3-connected part of each graph. Cost: that
+of trying all pairs of edges and all paths; graphs are small.
 """
 import itertools
 import json
-import math
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -373,15 +373,18 @@ def leaf(vertices, edges):
     return min(parts, key=lambda one: len(one[0]), default=None)
 
 
+def drawn_by(ar3d, graph6):
+    command = [ar3d, "draw", "-", "-q", "--algorithm", "two-bend-120"]
+    return subprocess.run(command, input=graph6 + "\n", stdout=subprocess.PIPE, text=True, check=True).stdout
+
+
 def drawing_of_leaf(ar3d, names, edges):
     index = {v: i for i, v in enumerate(names)}
     adjacent = {frozenset((index[u], index[v])) for u, v in edges}
     bits = [frozenset((u, v)) in adjacent for v in range(len(names)) for u in range(v)]
     bits += [False] * (-len(bits) % 6)
     codes = [len(names), *(sum(bit << (5 - k) for k, bit in enumerate(bits[i:i + 6])) for i in range(0, len(bits), 6))]
-    graph6 = "".join(chr(63 + code) for code in codes) + "\n"
-    done = subprocess.run([ar3d, "draw", "-", "-q", "--algorithm", "two-bend-120"], input=graph6, stdout=subprocess.PIPE, text=True, check=True)
-    drawing = json.loads(done.stdout)
+    drawing = json.loads(drawn_by(ar3d, "".join(chr(63 + code) for code in codes)))
     bends = {(names[u], names[v]): points[0] if points else [] for u, v, *points in drawing["edges"]}
     return dict(zip(names, drawing["vertices"])), bends
 
@@ -418,9 +421,9 @@ def draw(ar3d, n, edges):
         of_part = {v: scaled(c, scale) for v, c in at_part.items()}
         line = [scaled(c, scale) for c in bends_of_part.get((p, q)) or reversed(bends_of_part.get((q, p), ()))]
         line = [of_part[p], *line, of_part[q]]
-        ways = [tuple(f(minus(t, s), key=lambda c: c) for f in (max, min)) for s, t in zip(line, line[1:])]
-        ways = [(minus(t, s).index(most), minus(t, s).index(least)) for s, t, (most, least) in zip(line, line[1:], ways)]
-        along = 1 if len(ways) == 3 else max(range(len(ways)), key=lambda i: max(minus(line[i + 1], line[i])))
+        steps = [minus(t, s) for s, t in zip(line, line[1:])]
+        ways = [(step.index(max(step)), step.index(min(step))) for step in steps]
+        along = 1 if len(ways) == 3 else max(range(len(ways)), key=lambda i: max(steps[i]))
         i, j = ways[along]
         middle = [(c + d) // 2 for c, d in zip(line[along], line[along + 1])]
         for k, l in itertools.permutations({0, 1, 2, 3} - {i, j}):
@@ -447,8 +450,11 @@ def draw(ar3d, n, edges):
 def main(ar3d):
     for line in sys.stdin:
         n, edges = read_graph6(line)
-        if leaf(set(range(n)), edges) is not None:
-            print(json.dumps(draw(ar3d, n, edges)), flush=True)
+        whole = set(range(n))
+        if 2 * len(edges) != 3 * n or not is_connected(whole, edges) or not all(is_connected(whole, without(edges, e)) for e in edges):
+            raise SystemExit(f"not a connected cubic graph without bridges: {line.strip()!r}")
+        is_cut = leaf(whole, edges) is not None
+        print(json.dumps(draw(ar3d, n, edges)) if is_cut else drawn_by(ar3d, line.strip()).strip(), flush=True)
 
 
 if __name__ == "__main__":
