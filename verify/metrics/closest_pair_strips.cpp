@@ -156,7 +156,7 @@ class Strips {
                   std::vector<Placed>& strip, std::uint64_t& number) const {
     strip.clear();
     if (end == order.size()) return;
-    number = order[end].key / width;
+    number = order[end].key / width;  // keys and widths stay below 2^62
     for (; end < order.size() && order[end].key < (number + 1) * width; ++end) {
       strip.push_back(placed(order[end].item));
     }
