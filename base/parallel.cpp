@@ -28,6 +28,7 @@ std::atomic<bool> has_pool = false, has_lost_its_pool = false;
 // linked into the program (tools/cmake/dependencies.cmake).
 [[gnu::constructor(101)]] void prepare() {
   setenv("OMP_WAIT_POLICY", "passive", 0);
+  setenv("GOMP_SPINCOUNT", "20000", 0);  // not at once: waking takes as long as a small search
   pthread_atfork(nullptr, nullptr, [] { has_lost_its_pool = has_pool.load(); });
 }
 

@@ -12,16 +12,16 @@
 
 namespace ar3d::compact {
 
-bool is_open(const CellChoice& choice, const TakenPlaces& taken, Place place) {
+bool is_open(const CellChoice& choice, const TakenSites& taken, SiteForms place) {
   for (std::size_t i = 0; i < choice.num_neighbours; ++i) {
-    const Place& other = choice.neighbours[i];
+    const SiteForms& other = choice.neighbours[i];
     if (other.U / 4 == place.U / 4) return false;
     if (std::abs(other.V - place.V) > std::abs(other.U - place.U) + 2) return false;
   }
   return !taken.is_taken(place);
 }
 
-void draw_cells_plainly(const CellChoice& choice, const TakenPlaces& taken,
+void draw_cells_plainly(const CellChoice& choice, const TakenSites& taken,
                         const std::uint32_t* numbers, CellBatch& batch) {
   batch.open = 0;
   batch.is_exact = true;
@@ -37,7 +37,7 @@ void draw_cells_plainly(const CellChoice& choice, const TakenPlaces& taken,
     const std::int32_t first = choice.low + ((choice.low ^ row) & 1);
     const std::int32_t column =
         first + 2 * below(numbers[2 * k + 1], (choice.high - first) / 2 + 1);
-    const Place place = place_of({column, row, column > choice.last_of_type_0 ? 1 : 0});
+    const SiteForms place = forms_of({column, row, column > choice.last_of_type_0 ? 1 : 0});
     batch.U[k] = place.U;
     batch.V[k] = place.V;
     batch.open |= (is_open(choice, taken, place) ? 1u : 0u) << k;
@@ -102,7 +102,7 @@ AR3D_AVX2_INLINE Cells drawn_cells(const CellChoice& choice, const std::uint32_t
 AR3D_AVX2_INLINE __m256i closed_by_neighbours(const CellChoice& choice, const Cells& cells) {
   __m256i closed = _mm256_setzero_si256();
   for (std::size_t i = 0; i < choice.num_neighbours; ++i) {
-    const Place& other = choice.neighbours[i];
+    const SiteForms& other = choice.neighbours[i];
     const __m256i across = _mm256_abs_epi32(_mm256_sub_epi32(_mm256_set1_epi32(other.U), cells.U));
     const __m256i along = _mm256_abs_epi32(_mm256_sub_epi32(_mm256_set1_epi32(other.V), cells.V));
     const __m256i most = _mm256_add_epi32(across, _mm256_set1_epi32(2));
@@ -116,8 +116,7 @@ AR3D_AVX2_INLINE __m256i closed_by_neighbours(const CellChoice& choice, const Ce
 
 /// The highest bit of the lanes that are not closed and whose place is taken. The type comes from
 /// the low bits of -2 type.
-AR3D_AVX2_INLINE __m256i taken_places(const TakenPlaces& taken, const Cells& cells,
-                                      __m256i closed) {
+AR3D_AVX2_INLINE __m256i taken_places(const TakenSites& taken, const Cells& cells, __m256i closed) {
   const __m256i ones = _mm256_set1_epi32(-1);
   const __m256i cell =
       _mm256_add_epi32(_mm256_mullo_epi32(cells.column, _mm256_set1_epi32(taken.rows_of_column())),
@@ -131,7 +130,7 @@ AR3D_AVX2_INLINE __m256i taken_places(const TakenPlaces& taken, const Cells& cel
   return _mm256_slli_epi32(_mm256_srlv_epi32(word, in_word), 31);
 }
 
-AR3D_AVX2 void draw_cells_avx2(const CellChoice& choice, const TakenPlaces& taken,
+AR3D_AVX2 void draw_cells_avx2(const CellChoice& choice, const TakenSites& taken,
                                const std::uint32_t* numbers, CellBatch& batch) {
   const Cells cells = drawn_cells(choice, numbers);
   const __m256i closed = closed_by_neighbours(choice, cells);
@@ -154,7 +153,7 @@ AR3D_AVX2 void draw_cells_avx2(const CellChoice& choice, const TakenPlaces& take
 }  // namespace
 #endif
 
-void draw_cells(const CellChoice& choice, const TakenPlaces& taken, const std::uint32_t* numbers,
+void draw_cells(const CellChoice& choice, const TakenSites& taken, const std::uint32_t* numbers,
                 CellBatch& batch) {
 #if defined(__x86_64__) && defined(__GNUC__)
   if (kHasAvx2) return draw_cells_avx2(choice, taken, numbers, batch);

@@ -14,16 +14,16 @@ namespace ar3d::compact {
 inline constexpr std::size_t kCellsAtOnce = 8;
 
 /// Holds which places of a strip are taken: a bit for each cell and type.
-class TakenPlaces {
+class TakenSites {
  public:
-  explicit TakenPlaces(const StripSize& size)
+  explicit TakenSites(const StripSize& size)
       : rows_of_column_(static_cast<std::size_t>(size.rows / 2 + 1)),
         words_(2 * static_cast<std::size_t>(size.columns) * rows_of_column_ / 32 + 1) {}
-  bool is_taken(Place place) const {
+  bool is_taken(SiteForms place) const {
     const std::size_t bit = bit_of(place);
     return (words_[bit / 32] >> bit % 32 & 1) != 0;
   }
-  void flip(Place place) {
+  void flip(SiteForms place) {
     const std::size_t bit = bit_of(place);
     words_[bit / 32] ^= std::uint32_t{1} << bit % 32;
   }
@@ -33,7 +33,7 @@ class TakenPlaces {
   const std::uint32_t* words() const { return words_.data(); }
 
  private:
-  std::size_t bit_of(Place place) const {
+  std::size_t bit_of(SiteForms place) const {
     const std::int32_t type = place.U / 2 % 2;
     return 2 * (static_cast<std::size_t>(place.U / 4) * rows_of_column_ +
                 static_cast<std::size_t>((place.V + 2 * type) / 8)) +
@@ -50,7 +50,7 @@ struct CellChoice {
   std::int32_t low = 0;
   std::int32_t high = 0;
   std::int32_t last_of_type_0 = 0;  ///< type 1 in the columns beyond
-  std::array<Place, 4> neighbours{};
+  std::array<SiteForms, 4> neighbours{};
   std::size_t num_neighbours = 0;
 
   /// Numbers of the stream tell a cell each by two, unless one of them is refused (`below`): a row
@@ -68,13 +68,13 @@ struct CellBatch {
 };
 
 /// @param choice  has_cells_in_every_row(). Several cells at a time on processors that have AVX2.
-void draw_cells(const CellChoice& choice, const TakenPlaces& taken, const std::uint32_t* numbers,
+void draw_cells(const CellChoice& choice, const TakenSites& taken, const std::uint32_t* numbers,
                 CellBatch& batch);
 /// The same, on every processor.
-void draw_cells_plainly(const CellChoice& choice, const TakenPlaces& taken,
+void draw_cells_plainly(const CellChoice& choice, const TakenSites& taken,
                         const std::uint32_t* numbers, CellBatch& batch);
 
 /// Returns what CellBatch::open says of one place.
-bool is_open(const CellChoice& choice, const TakenPlaces& taken, Place place);
+bool is_open(const CellChoice& choice, const TakenSites& taken, SiteForms place);
 
 }  // namespace ar3d::compact

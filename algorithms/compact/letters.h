@@ -34,15 +34,15 @@ struct Site {
 };
 
 /// The same place by the two forms of a vertex, U = AD and V = BC: U = 4i + 2t, V = 4j - 2t.
-struct Place {
+struct SiteForms {
   std::int32_t U = -1;
   std::int32_t V = 0;
   bool is_set() const { return U >= 0; }
 };
-inline Place place_of(Site s) {
-  return s.is_set() ? Place{4 * s.column + 2 * s.type, 4 * s.row - 2 * s.type} : Place{};
+inline SiteForms forms_of(Site s) {
+  return s.is_set() ? SiteForms{4 * s.column + 2 * s.type, 4 * s.row - 2 * s.type} : SiteForms{};
 }
-inline Site site_of(Place p) {
+inline Site site_of(SiteForms p) {
   const std::int32_t type = p.U % 4 / 2;
   return {p.U / 4, (p.V + 2 * type) / 4, type};
 }
@@ -64,12 +64,12 @@ inline Point to_point(const Letters& p) {
 }
 
 /// The point of z = 0 of a vertex at a place: to_point(letters_of(site_of(place))).
-inline Point to_point(Place p) { return {std::int64_t{p.U} + p.V, std::int64_t{p.U} - p.V, 0}; }
+inline Point to_point(SiteForms p) { return {std::int64_t{p.U} + p.V, std::int64_t{p.U} - p.V, 0}; }
 
 /// The site of a vertex at a point of z = 0 that to_point gave.
 inline Site site_of(Point p) {
-  return site_of(Place{static_cast<std::int32_t>((p.x + p.y) / 2),    // 4i + 2t >= 0
-                       static_cast<std::int32_t>((p.x - p.y) / 2)});  // 4j - 2t >= -2
+  return site_of(SiteForms{static_cast<std::int32_t>((p.x + p.y) / 2),    // 4i + 2t >= 0
+                           static_cast<std::int32_t>((p.x - p.y) / 2)});  // 4j - 2t >= -2
 }
 
 /// The cells (i, j), 0 <= i < columns, 0 <= j < rows, i = j mod 2.
@@ -83,7 +83,7 @@ struct StripSize {
 /// A filled strip: what a drawing is made of.
 struct Placement {
   StripSize size;
-  UnwrittenVector<Place> places;      ///< by vertex
+  UnwrittenVector<SiteForms> places;  ///< by vertex
   std::vector<std::uint8_t> variant;  ///< by edge: in which of its words it is routed
 };
 

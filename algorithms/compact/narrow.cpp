@@ -26,7 +26,7 @@ class NarrowPlacer {
                strips::NumbersAhead& random, Census& census)
       : links_(links),
         size_(size),
-        places_(links.at.size(), Place{}),
+        places_(links.at.size(), SiteForms{}),
         variant_(num_edges, 0),
         taken_(size),
         lines_(size, num_edges),
@@ -64,7 +64,7 @@ class NarrowPlacer {
   }
 
   void remove(Vertex v) {
-    const Place own = places_[v];
+    const SiteForms own = places_[v];
     const PlacedEnd end = end_at(own);
     const JoinedVertex joined = joined_of(v);
     if (joined.has_arrival) lines_.flip_arrival(arrival_line(end));
@@ -155,7 +155,7 @@ class NarrowPlacer {
     for (const ColourRole role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
       const HalfEdge edge = roles[role];
       if (edge.to == kNobody) continue;
-      const Place other = places_[edge.to];
+      const SiteForms other = places_[edge.to];
       if (!other.is_set()) continue;
       const std::int32_t column = other.U / 4;
       choice.neighbours[choice.num_neighbours++] = other;
@@ -200,7 +200,7 @@ class NarrowPlacer {
       if (first > choice.high) continue;
       const auto choices = static_cast<std::uint32_t>((choice.high - first) / 2 + 1);
       const std::int32_t column = first + 2 * static_cast<std::int32_t>(random_.below(choices));
-      const Place place = place_of({column, row, column > choice.last_of_type_0 ? 1 : 0});
+      const SiteForms place = forms_of({column, row, column > choice.last_of_type_0 ? 1 : 0});
       if (is_open(choice, taken_, place) && try_place(v, place, joined)) return true;
     }
     return false;
@@ -247,7 +247,7 @@ class NarrowPlacer {
   }
 
   /// Places v at an open place if its arrival and all its edges to placed neighbours have room.
-  bool try_place(Vertex v, Place own, const JoinedVertex& joined) {
+  bool try_place(Vertex v, SiteForms own, const JoinedVertex& joined) {
     const PlacedEnd end = end_at(own);
     std::array<MiddleLine, 4> middle;
     for (std::size_t i = 0; i < joined.edges.size(); ++i) {
@@ -276,9 +276,9 @@ class NarrowPlacer {
 
   const Decomposition& links_;
   StripSize size_;
-  UnwrittenVector<Place> places_;
+  UnwrittenVector<SiteForms> places_;
   std::vector<std::uint8_t> variant_;
-  TakenPlaces taken_;
+  TakenSites taken_;
   NarrowLines lines_;
   WordTable words_ = word_table();
   CellBatch batch_;

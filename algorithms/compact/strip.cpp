@@ -40,7 +40,7 @@ bool Strip::plan_edge(bool red, Site tail, Site head, Plan& plan) const {
 }
 
 bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
-  if (taken_.is_taken(place_of(site))) return false;
+  if (taken_.is_taken(forms_of(site))) return false;
   for (const ColourRole role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
     const Vertex to = links_->at[v][role].to;
     if (to == kNobody || !sites_[to].is_set()) continue;
@@ -60,7 +60,7 @@ bool Strip::try_place(Vertex v, Site site) {
   Plan plan;
   if (!make_plan(v, site, plan)) return false;
   sites_[v] = site;
-  taken_.flip(place_of(site));
+  taken_.flip(forms_of(site));
   for (const Piece& line : plan.lines) lines_.insert(line);
   for (const auto& [shape, start] : plan.edges) caps_.add(shape, start);
   return true;
@@ -69,7 +69,7 @@ bool Strip::try_place(Vertex v, Site site) {
 Placement Strip::placement() const {
   Placement placement{size_, {}, std::vector<std::uint8_t>(num_edges_, 0)};
   placement.places.reserve(sites_.size());
-  for (const Site& site : sites_) placement.places.push_back(place_of(site));
+  for (const Site& site : sites_) placement.places.push_back(forms_of(site));
   return placement;
 }
 

@@ -90,7 +90,7 @@ class Strip {
   std::size_t num_edges_;
   StripSize size_;
   UnwrittenVector<Site> sites_;
-  TakenPlaces taken_;
+  TakenSites taken_;
   strips::Lines lines_;
   Caps caps_;
 };

@@ -66,7 +66,9 @@ struct PlacedEnd {
   std::int32_t type = 0;
   std::array<std::int32_t, 2> form{};  ///< g = BD, h = CD
 };
-inline PlacedEnd end_at(Place p) { return {p.U, p.U / 2 % 2, {(p.U + p.V) / 2, (p.U - p.V) / 2}}; }
+inline PlacedEnd end_at(SiteForms p) {
+  return {p.U, p.U / 2 % 2, {(p.U + p.V) / 2, (p.U - p.V) / 2}};
+}
 
 /// Holds what a word adds to the coordinates of the ends.
 struct WordConstants {

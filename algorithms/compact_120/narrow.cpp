@@ -1,8 +1,8 @@
 // What efforts 1 and 2 draw: a strip with about one cell per vertex, filled greedily at random near
-// the columns where the order wants the vertices. The rules (a) to (e) of Lemma D.6 are all that a
-// right drawing needs, so no zones are kept; Lemma D.3 names the rows in which all lengths are
-// positive. Nothing proves that this ends well, hence the bounded number of ejections and the zones
-// behind it. Cost: O(n + ejections) cells tried, each in O(1) expected.
+// the columns where the order wants the vertices, with ejections (Pagh and Rodler 2001). Rules (a)
+// to (e) of Lemma D.6 are all that a right drawing needs, so no zones are kept; Lemma D.3 names the
+// rows in which all lengths are positive. Nothing proves that this ends well, hence the bounded
+// ejections and the zones behind it. Cost: O(n + ejections) cells tried, each in O(1) expected.
 #include <algorithm>
 #include <array>
 #include <numeric>

@@ -1,7 +1,7 @@
-// Step R.3, what it costs at least to reach each point: dynamic programming over bends and last
-// directions. The field of one direction is swept row after row, along that direction. Rows are
-// vectors of 16-bit costs, so eight points take the time that one takes in a search by a queue; a
-// row holds only what routes of the length asked for can reach.
+// Step R.3, what it costs at least to reach each point: Lee's wave (1961) as dynamic programming
+// over bends and last directions. The field of a direction is swept row by row along it. Rows are
+// vectors of 16-bit costs: eight points take the time that one took in a search by a queue, which
+// was dropped. A row holds only what routes of the length asked for can reach.
 // Cost: O(bends x directions x points of the window).
 #include "ar3d/algorithms/routed/fields.h"
 

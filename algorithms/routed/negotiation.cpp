@@ -6,14 +6,14 @@
 #include "ar3d/algorithms/routed/negotiation.h"
 
 #include <algorithm>
+#include <set>
 
 #include "ar3d/base/parallel.h"
 
 namespace ar3d::routed {
 namespace {
 
-constexpr std::size_t kEdgesAtOnce = 32;  // in a group
-constexpr std::size_t kWorthThreads = 6;  // searches side by side
+constexpr std::size_t kEdgesAtOnce = 32, kVerticesAtOnce = 8;  // in a group
 constexpr EdgeId kEdgesWorthThreads = 400;
 constexpr int kMostRounds = 250;
 constexpr int kRoundsOfAll = 3;  // after them only edges in conflict are routed anew
@@ -36,7 +36,8 @@ Negotiation::Negotiation(const Graph& graph, const PointClass& points, int bends
   for (const Spot at : now_.layout.at) box_.put_vertex(box_.index(at));
   if (now_.routes.empty()) now_.routes.resize(graph.num_edges());
   for (EdgeId e = 0; e < graph_.num_edges(); ++e) put(e);
-  for (std::uint32_t t = 0; t < available_threads(); ++t) searchers_.emplace_back(points, bends);
+  const std::uint32_t threads = graph.num_edges() < kEdgesWorthThreads ? 1 : available_threads();
+  for (std::uint32_t t = 0; t < threads; ++t) searchers_.emplace_back(points, bends, threads);
 }
 
 std::vector<EdgeId> Negotiation::conflicts() {
@@ -50,9 +51,8 @@ std::vector<EdgeId> Negotiation::conflicts() {
 
 void Negotiation::search_side_by_side(
     std::size_t count, const std::function<void(RouteSearch&, std::size_t)>& search) {
-  const bool is_worth_it = count >= kWorthThreads && graph_.num_edges() >= kEdgesWorthThreads;
-  const auto threads = static_cast<std::uint32_t>(is_worth_it ? searchers_.size() : 1);
-  for_each_in_threads(threads, count,
+  const std::size_t threads = count < kVerticesAtOnce / 2 ? 1 : searchers_.size();
+  for_each_in_threads(static_cast<std::uint32_t>(threads), count,
                       [&](std::uint32_t thread, std::size_t i) { search(searchers_[thread], i); });
 }
 
@@ -112,18 +112,14 @@ void Negotiation::search_trial(Trial& trial, RouteSearch& search) {
   for (const HalfEdge& half : edges) neighbours.push_back(end(half.to));
   trial.searches += edges.size();
   const Spot now = now_.layout.at[trial.vertex];
-  Place place;
   if (search.find_place(box_, now, neighbours, frames_, points_.is_body() ? 6 : 4, trial.limit,
-                        random, place) >= trial.limit)
+                        random, trial) >= trial.limit)
     return;
-  trial.at = place.at;
-  trial.frame = place.frame;
+  const auto routes = std::span(trial.routes).first(edges.size());
+  trial.is_found = std::ranges::all_of(routes, [](const Route& route) { return bool{route}; });
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const bool starts = graph_.edge(edges[k].edge).u == trial.vertex;
-    trial.routes[k] = starts ? place.routes[k].reversed() : place.routes[k];
+    if (graph_.edge(edges[k].edge).u == trial.vertex) routes[k] = routes[k].reversed();
   }
-  trial.is_found = std::all_of(place.routes.begin(), place.routes.begin() + edges.size(),
-                               [](const Route& route) { return bool{route}; });
 }
 
 /// Moves the vertex if the routes found are not dearer than the present ones by now.
@@ -162,42 +158,34 @@ bool Negotiation::settle(const Trial& trial) {
 
 void Negotiation::move_group(std::span<Trial> trials) {
   ++groups_;
-  std::vector<EdgeId> edges;
+  std::set<EdgeId> edges;
   for (Trial& trial : trials) {
     trial.limit = price_edges(trial.vertex) + tolerance();
-    for (const HalfEdge& half : graph_.incident(trial.vertex)) edges.push_back(half.edge);
+    for (const HalfEdge& half : graph_.incident(trial.vertex)) edges.insert(half.edge);
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   for (const EdgeId e : edges) take(e);
   search_side_by_side(trials.size(),
                       [&](RouteSearch& search, std::size_t i) { search_trial(trials[i], search); });
   for (const EdgeId e : edges) put(e);
-  std::vector<Vertex> moved;
-  const auto has_moved = [&](Vertex v) {
-    return std::find(moved.begin(), moved.end(), v) != moved.end();
-  };
+  std::set<Vertex> moved;
   for (const Trial& trial : trials) {
     searches_ += trial.searches;
     const auto around = graph_.incident(trial.vertex);
     const bool is_stale = std::any_of(around.begin(), around.end(),
-                                      [&](const HalfEdge& half) { return has_moved(half.to); });
-    if (!is_stale && trial.is_found && settle(trial)) moved.push_back(trial.vertex);
+                                      [&](HalfEdge half) { return moved.contains(half.to); });
+    if (!is_stale && trial.is_found && settle(trial)) moved.insert(trial.vertex);
   }
 }
 
 void Negotiation::move_vertices(const std::vector<EdgeId>& edges) {
-  std::vector<Vertex> vertices;
-  for (const EdgeId e : edges) {
-    vertices.insert(vertices.end(), {graph_.edge(e).u, graph_.edge(e).v});
-  }
+  std::set<Vertex> found;
+  for (const EdgeId e : edges) found.insert({graph_.edge(e).u, graph_.edge(e).v});
   for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
-    if (box_.uses(box_.index(now_.layout.at[v])) > 0) vertices.push_back(v);
+    if (box_.uses(box_.index(now_.layout.at[v])) > 0) found.insert(v);
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<Vertex> vertices(found.begin(), found.end());
   random_.shuffle(std::span(vertices));
-  const std::size_t size = std::clamp<std::size_t>(vertices.size() / 8, 1, kEdgesAtOnce / 4);
+  const std::size_t size = std::clamp<std::size_t>(vertices.size() / 8, 1, kVerticesAtOnce);
   std::vector<Trial> trials;
   for (std::size_t i = 0; i < vertices.size(); i += size) {
     trials.clear();

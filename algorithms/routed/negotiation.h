@@ -42,16 +42,6 @@ class Negotiation {
   std::uint64_t searches() const { return searches_; }
 
  private:
-  struct Trial {
-    Vertex vertex = 0;
-    Spot at;
-    std::size_t frame = 0;
-    int limit = 0;
-    bool is_found = false;
-    std::array<Route, 4> routes;  // of its edges
-    std::uint64_t searches = 0;
-  };
-
   Spot start(EdgeId e) const { return now_.layout.at[graph_.edge(e).u]; }
   End end(Vertex v) const { return {now_.layout.at[v], points_.frames()[now_.layout.frame[v]]}; }
   void put(EdgeId e) { box_.put(start(e), now_.routes[e]); }

@@ -5,22 +5,28 @@
 
 #include "ar3d/algorithms/routed/fields.h"
 #include "ar3d/base/random.h"
+#include "ar3d/model/graph.h"
 
 namespace ar3d::routed {
 
-/// Where a vertex may go, and the routes to it there.
-struct Place {
+/// A vertex that may move: where to, and the routes to it there.
+struct Trial {
+  Vertex vertex = 0;
+  int limit = 0;  ///< what it costs now
+  bool is_found = false;
+  std::uint64_t searches = 0;
   Spot at;
   std::size_t frame = 0;
-  std::array<Route, 4>
-      routes;  ///< from its neighbours; none if a cheapest one passes a point twice
+  /// From its neighbours; none if a cheapest one passes a point twice.
+  std::array<Route, 4> routes;
 };
 
 /// Searches for the cheapest routes, exactly; one for each thread, for its tables.
 class RouteSearch {
  public:
-  RouteSearch(const PointClass& points, int bends)
-      : points_(points), bends_(bends), fields_(4, CostFields(points)) {}
+  /// @param threads  that share the fields of a vertex, outside of parallel regions.
+  RouteSearch(const PointClass& points, int bends, std::uint32_t threads = 1)
+      : points_(points), bends_(bends), threads_(threads), fields_(4, CostFields(points)) {}
 
   /// Finds the cheapest route below `limit`. Steps away from the ends are limited, further if
   /// `is_wide`; what costs less than 4 times that limit is found for certain.
@@ -35,7 +41,7 @@ class RouteSearch {
   /// @return the sum, and the place; `limit` if there is none below.
   int find_place(const CostBox& box, Spot now, std::span<const End> neighbours,
                  std::span<const std::size_t> frames, int radius, int limit, RandomStream& random,
-                 Place& found);
+                 Trial& found);
 
  private:
   using Cost = CostFields::Cost;
@@ -63,6 +69,7 @@ class RouteSearch {
 
   const PointClass& points_;
   int bends_;
+  std::uint32_t threads_;
   std::vector<CostFields> fields_;  // of the first end, or of each neighbour
   std::vector<std::size_t> passed_;
   // The places of a vertex: rows of points, what they cost routes (-1: a vertex is there), a bound

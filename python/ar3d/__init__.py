@@ -19,7 +19,8 @@ from typing import Any, Union
 
 import numpy
 
-os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # before _core loads libgomp: threads that wait sleep
+os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # before _core loads libgomp: threads that wait sleep, after some time
+os.environ.setdefault("GOMP_SPINCOUNT", "20000")
 
 from ._core import Certificate, Drawing, Graph, __version__, algorithms, families
 from . import _core

@@ -46,7 +46,7 @@ std::vector<Ends> all_ends(const StripSize& size) {
 }
 
 MiddleLine line_of(const Ends& ends) {
-  return middle_line(ends.shape.red, end_at(place_of(ends.tail)), end_at(place_of(ends.head)));
+  return middle_line(ends.shape.red, end_at(forms_of(ends.tail)), end_at(forms_of(ends.head)));
 }
 
 Piece plain_piece(const Ends& ends, const Shape& shape) {
@@ -148,14 +148,14 @@ TEST(CompactNarrowLines, AgreeWithAPlainList) {
 
 TEST(CompactCells, AreTheSameOneByOneAndSeveralAtATime) {
   const StripSize size{41, 13, 20};
-  TakenPlaces taken(size);
+  TakenSites taken(size);
   RandomStream random(7);
   const auto below = [&](std::int32_t bound) {
     return static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(bound)));
   };
   const auto random_place = [&] {
     const std::int32_t column = below(size.columns);
-    return place_of({column, column % 2 + 2 * below(6), below(2)});
+    return forms_of({column, column % 2 + 2 * below(6), below(2)});
   };
   int open = 0;
   int inexact = 0;
@@ -163,7 +163,7 @@ TEST(CompactCells, AreTheSameOneByOneAndSeveralAtATime) {
     if (step < 300) taken.flip(random_place());
     CellChoice choice{size.rows, below(20), 0, below(size.columns), {}, random.below(5)};
     choice.high = choice.low + 1 + below(size.columns - choice.low - 1);
-    for (Place& place : choice.neighbours) place = random_place();
+    for (SiteForms& place : choice.neighbours) place = random_place();
     std::array<std::uint32_t, 2 * kCellsAtOnce> numbers;
     for (std::uint32_t& number : numbers) number = random.next32();
     if (step % 3 == 0) numbers[random.below(16)] = 0;
@@ -177,7 +177,7 @@ TEST(CompactCells, AreTheSameOneByOneAndSeveralAtATime) {
     open += batch.open != 0 ? 1 : 0;
     inexact += batch.is_exact ? 0 : 1;
     for (std::size_t k = 0; k < kCellsAtOnce; ++k) {
-      const Place place{batch.U[k], batch.V[k]};
+      const SiteForms place{batch.U[k], batch.V[k]};
       EXPECT_EQ((batch.open >> k & 1) != 0, is_open(choice, taken, place));
       const Site site = site_of(place);
       EXPECT_TRUE(site.row >= 0 && site.row < size.rows && (site.column - site.row) % 2 == 0);

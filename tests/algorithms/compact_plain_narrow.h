@@ -51,12 +51,12 @@ class PlainPlacer {
     const Site site = std::exchange(sites_[v], Site{});
     if (has_arrival(v)) lines_.erase(arrival_line(site));
     for_each_neighbour(v, [&](ColourRole, EdgeId edge, Site) { lines_.erase(piece_of_[edge]); });
-    taken_.flip(place_of(site));
+    taken_.flip(forms_of(site));
   }
 
   Placement placement() const {
     Placement placement{size_, {}, variant_};
-    for (const Site& site : sites_) placement.places.push_back(place_of(site));
+    for (const Site& site : sites_) placement.places.push_back(forms_of(site));
     return placement;
   }
 
@@ -105,7 +105,7 @@ class PlainPlacer {
   }
 
   bool try_place(Vertex v, Site site) {
-    bool fits = !taken_.is_taken(place_of(site));
+    bool fits = !taken_.is_taken(forms_of(site));
     std::vector<Piece> pieces;
     for_each_neighbour(v, [&](ColourRole role, EdgeId edge, Site other) {
       const bool out = is_out(role);
@@ -114,7 +114,7 @@ class PlainPlacer {
     if (has_arrival(v)) fits = fits && take(arrival_line(site), pieces);
     if (!fits) return false;
     for (const Piece& piece : pieces) lines_.insert(piece);
-    taken_.flip(place_of(site));
+    taken_.flip(forms_of(site));
     sites_[v] = site;
     return true;
   }
@@ -148,7 +148,7 @@ class PlainPlacer {
   std::vector<Site> sites_;
   std::vector<std::uint8_t> variant_;  ///< by edge, as its piece
   std::vector<Piece> piece_of_;
-  TakenPlaces taken_;
+  TakenSites taken_;
   strips::Lines lines_;
   RandomStream& random_;
   Census& census_;

@@ -176,7 +176,7 @@ TEST(Routed, TheBestPlaceOfAVertexIsThatOfAllPlaces) {
       const std::vector<End> ends = {{spots[0], points.frames()[0]},
                                      {spots[1], points.frames()[0]}};
       const std::size_t frame = is_body ? 0 : 3;
-      routed::Place found;
+      routed::Trial found;
       const int cost = search.find_place(box, spots[2], ends, std::array{frame}, 2,
                                          CostBox::kBlocked, random, found);
       CostBox without_it = box;

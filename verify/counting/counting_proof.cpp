@@ -1,6 +1,7 @@
 // Lemma V.1: a drawing without overlaps is free of crossings if and only if as
 // many pairs of segments meet as must meet, in bends and vertices. So it is enough to count, which
-// needs no names of segments and no list of meetings.
+// needs no names of segments and no list of meetings. Naming all pairs
+// (near_pairs.h) was dropped here and is the oracle.
 #include "ar3d/verify/counting/counting_proof.h"
 
 #include <atomic>

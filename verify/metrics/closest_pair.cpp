@@ -18,13 +18,12 @@ namespace geometry = boost::geometry;
 // Differences are at most 2^62, Gram entries below 2^31: nine terms are below 2^(124 + 31 + 4) =
 // 2^159.
 using Wide = boost::multiprecision::checked_int256_t;
-using Place = geometry::model::point<std::int64_t, 3, geometry::cs::cartesian>;
-using Item = std::pair<Place, Vertex>;
+using Item = std::pair<geometry::model::point<std::int64_t, 3, geometry::cs::cartesian>, Vertex>;
 
 /// The places that may be as near to p as `squared`; beyond 2^61, where reach() ends, all. Sums are
 /// below 2^63.
-geometry::model::box<Place> box_around(Point p, double squared,
-                                       const std::array<double, 3>& inverse) {
+geometry::model::box<Item::first_type> box_around(Point p, double squared,
+                                                  const std::array<double, 3>& inverse) {
   const auto far = [&](std::size_t axis) {
     const std::int64_t near = reach(squared, inverse[axis]);
     return near > kMaxCoordinate ? 2 * kMaxCoordinate : near;

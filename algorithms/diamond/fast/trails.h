@@ -1,7 +1,8 @@
 #pragma once
 
-// Step 1.1 for large graphs: the chains of linked edges, walked in many stretches at a time (fast.h
-// explains the words).
+// Step 1.1 for large graphs: the chains of linked edges, walked in many stretches at a time, as in
+// asynchronous memory access chaining (Kocberber, Falsafi, Grot 2015). fast.h explains the words.
+// Dropped: marks in records of 16 bytes at 4n random addresses; two bits a pair stay in the cache.
 
 #include <algorithm>
 #include <atomic>
