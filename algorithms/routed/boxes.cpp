@@ -41,8 +41,8 @@ class BoxSearch {
 
   std::optional<Routing> run() {
     const std::uint64_t edges = graph_.num_edges();
-    const std::uint64_t most =
-        bends_ == 3 ? 12 * edges + 10000 : std::min(25 * edges + 20000, 10 * edges + 50000);
+    const std::uint64_t most = bends_ == 3 ? std::max(12 * edges + 10000, 16 * edges)
+                                           : std::min(25 * edges + 20000, 10 * edges + 50000);
     const std::uint64_t usual = std::min(150 * edges + 2500, most);  // of effort 1
     const std::uint64_t most_times = is_small() ? 20 : 10;
     most_searches_ = 2 * usual;
