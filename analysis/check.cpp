@@ -42,11 +42,11 @@ void check_axis(const RunRecord& run, std::size_t axis, const Add& add) {
 /// Lemma L.5 is right, too; rows of earlier programs have no such bound (NaN).
 template <class Add>
 void check_volume(const RunRecord& run, const Add& add) {
-  static const Column least = run_column("volume_at_least");
   constexpr double kRoundings = 1e-9;
-  if (!(run.log2_volume < std::log2(column_number(least, run)) - kRoundings)) return;
+  const double least = metric_of(run, "volume_at_least");
+  if (!(run.log2_volume < std::log2(least) - kRoundings)) return;
   add(instance_bound, fmt::format("a volume of 2^{:.6g} is below volume_at_least, {:.17g}",
-                                  run.log2_volume, column_number(least, run)));
+                                  run.log2_volume, least));
 }
 
 /// Adds what every ok row has, whatever its graph; a missing value is NaN.

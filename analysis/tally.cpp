@@ -49,9 +49,6 @@ std::int64_t counter_of(const RunRecord& run, const std::string& name) {
 }
 
 DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n, bool has_own_unit) {
-  static const std::vector<Column> columns = columns_of_kind(ColumnKind::metric);
-  static const Column relative = run_column("log2_relative_volume");
-  const std::vector<char> record = metrics_record(run);
   DrawnGraph graph;
   graph.row = row;
   graph.n = n;
@@ -66,15 +63,13 @@ DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n, bo
   graph.theorem_bound = run.theorem_bound;
   graph.published_bound = run.published_bound;
   graph.log2_volume = run.log2_volume;
-  graph.log2_relative_volume = column_number(relative, record.data());
+  graph.metrics.reserve(metrics().size());
+  for (const MetricValue& value : metrics_of(run)) graph.metrics.push_back(number_of(value));
+  graph.log2_relative_volume = metric_of(graph, "log2_relative_volume");
   if (has_own_unit) {  // its coordinates are decimals in units of the last one
     graph.extents = graph.instance_bound = {-1, -1, -1};
     graph.theorem_bound = graph.published_bound = {kMissing, kMissing, kMissing};
     graph.log2_volume = graph.log2_relative_volume;
-  }
-  graph.metrics.reserve(columns.size());
-  for (const Column& column : columns) {
-    graph.metrics.push_back(column_number(column, record.data()));
   }
   return graph;
 }

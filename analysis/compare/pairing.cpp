@@ -184,9 +184,10 @@ void compare_measured(const RunRecord& base, const RunRecord& now,
         {"smallest_vertex_angle", "smallest angle at a vertex", false, kMeasuredTolerance},
         {"smallest_bend_angle", "smallest angle at a bend", false, kMeasuredTolerance},
         {"log2_relative_volume", "volume in smallest distances", true, kMeasuredTolerance}}) {
-    const Column& column = run_column(name);
-    double before = column_number(column, base), after = column_number(column, now);
-    if (column.name == "log2_relative_volume") before = std::exp2(before), after = std::exp2(after);
+    double before = metric_of(base, name), after = metric_of(now, name);
+    if (name == std::string_view("log2_relative_volume")) {
+      before = std::exp2(before), after = std::exp2(after);
+    }
     if (std::isnan(before) || std::isnan(after) || before == after) continue;
     if (std::abs(std::log(after / before)) <= tolerance) continue;
     changes.push_back({direction((after > before) == more_is_worse),
@@ -303,8 +304,8 @@ std::vector<FixedChange> fixed_changes(const PairedRow& row) {
 double log2_volume_change(const PairedRow& row) {
   const RunRecord &base = *row[0], &now = *row[1];
   if (is_measured(row)) {
-    const Column& volume = run_column("log2_relative_volume");
-    const double change = column_number(volume, now) - column_number(volume, base);
+    const char* const volume = "log2_relative_volume";
+    const double change = metric_of(now, volume) - metric_of(base, volume);
     return std::isfinite(change) ? change : 0;
   }
   if (!has_extents(base) || !has_extents(now)) return 0;

@@ -55,11 +55,10 @@ void add_row(const RunRecord& run, GraphValues& graph) {
   bends = bends_of(run);
   graph.m = run.m < 0 ? kMissing : static_cast<double>(run.m);
   if (run.status != RunStatus::measured) return;
-  const auto number = [&run](const char* column) { return column_number(run_column(column), run); };
   graph.is_measured = true;  // coordinates have any unit
-  volume = number("log2_relative_volume") * std::numbers::ln2;
-  crossings = number("crossings");
-  angle = std::fmin(number("smallest_vertex_angle"), number("smallest_bend_angle"));
+  volume = metric_of(run, "log2_relative_volume") * std::numbers::ln2;
+  crossings = metric_of(run, "crossings");
+  angle = std::fmin(metric_of(run, "smallest_vertex_angle"), metric_of(run, "smallest_bend_angle"));
 }
 
 CellValues values_of(const GraphTable& graphs) {

@@ -84,68 +84,26 @@ void add_judgements(TableMaker& make, const Judged& judged) {
   }
 }
 
-/// The drawings that were judged without tolerance: first repetitions of the metrics phase.
-class RealDrawings {
- public:
-  explicit RealDrawings(TableMaker& make) : make_(make) {
-    for (const CurveTally& curve : make.analysis.tally.curves) {
-      indices_.emplace(curve.key, indices_.size());
-    }
-  }
+/// Rows of drawings that were judged without tolerance, ascending, by family.
+using RealRows = std::map<std::string, std::vector<std::size_t>>;
 
-  void add(const RunRecord& run, std::size_t row) {
-    if (run.repetition > 0) return;
-    const std::vector<char> record = metrics_record(run);
-    const auto value = [&](const Column& of) { return column_number(of, record.data()); };
-    if (!(value(miss_) >= 0)) return;
-    const auto curve = indices_.find(curve_of(run));
-    if (table_.size() == (make_.all ? kMostReal : kMostRealOfPage) || curve == indices_.end()) {
-      ++left_out_;
-      return;
-    }
-    rows_of_[family_label(curve->first)].push_back(row);
-    const std::int64_t about = bin_of(make_.bins, run.n).n;
-    std::vector<TableCell> cells = {row,   curve->second, about,
-                                    run.n, value(miss_),  value(condition_)};
-    for (const Column& within : within_) cells.emplace_back(value(within));
-    cells.emplace_back(value(collapsed_) > 0 || value(crossings_) > 0);
-    cells.emplace_back(run.cpu_s);
-    table_.add(std::move(cells));
-  }
-
-  /// Adds, of the family with most drawings, which figures show, the graphs.
-  void finish() {
-    const auto most = std::ranges::max_element(
-        rows_of_, {}, [](const auto& of_family) { return of_family.second.size(); });
-    if (most == rows_of_.end()) return;
-    make_.table("precision").add({table_.size(), left_out_});
-    for (const auto& [key, index] : indices_) {
-      if (family_label(key) == most->first) add_graphs(index, most->second);
-    }
-  }
-
- private:
-  void add_graphs(std::size_t curve, const std::vector<std::size_t>& rows) {
+/// Adds, of the family with most of these drawings, which figures show, the graphs.
+void add_real_graphs(const RealRows& rows_of, TableMaker& make) {
+  const auto most = std::ranges::max_element(
+      rows_of, {}, [](const auto& of_family) { return of_family.second.size(); });
+  for (std::size_t i = 0; i < make.analysis.tally.curves.size(); ++i) {
+    const CurveTally& curve = make.analysis.tally.curves[i];
+    if (family_label(curve.key) != most->first) continue;
     std::size_t added = 0;
-    for (const auto& [n, size] : make_.analysis.tally.curves[curve].sizes) {
+    for (const auto& [n, size] : curve.sizes) {
       for (const DrawnGraph& graph : size.graphs) {
-        if (!std::ranges::binary_search(rows, graph.row)) continue;
-        if (!make_.all && ++added > kMostPointsOfCurve) return;
-        make_.add_graph(curve, graph);
+        if (!std::ranges::binary_search(most->second, graph.row)) continue;
+        if (!make.all && ++added > kMostPointsOfCurve) break;
+        make.add_graph(i, graph);
       }
     }
   }
-
-  TableMaker& make_;
-  std::map<CurveKey, std::size_t> indices_;
-  std::map<std::string, std::vector<std::size_t>> rows_of_;  // by family, ascending
-  std::size_t left_out_ = 0;
-  Table& table_ = make_.table("real_drawings");
-  const Column miss_ = run_column("angle_miss"), condition_ = run_column("condition"),
-               collapsed_ = run_column("collapsed_segments"), crossings_ = run_column("crossings");
-  const std::array<Column, 4> within_ = {run_column("within_1e_12"), run_column("within_1e_9"),
-                                         run_column("within_1e_6"), run_column("within_1e_3")};
-};
+}
 
 }  // namespace
 
@@ -153,16 +111,39 @@ void add_precision(TableMaker& make) {
   const Rows& rows = make.analysis.rows;
   const bool is_all_proved = make.analysis.verdict.unproved == 0;  // then only levels are sought
   const std::size_t count = is_all_proved ? std::min(rows.size(), kMostLookedAt) : rows.size();
-  RealDrawings real(make);
+  std::map<CurveKey, std::size_t> indices;
+  for (const CurveTally& curve : make.analysis.tally.curves) {
+    indices.emplace(curve.key, indices.size());
+  }
+  Table& real = make.table("real_drawings");
+  RealRows rows_of;
+  std::size_t left_out = 0;
+  const auto add_real = [&](const RunRecord& run, std::size_t row) {
+    const auto value = [&run](const char* metric) { return metric_of(run, metric); };
+    if (run.repetition > 0 || !(value("angle_miss") >= 0)) return;
+    const auto curve = indices.find(curve_of(run));
+    if (real.size() == (make.all ? kMostReal : kMostRealOfPage) || curve == indices.end()) {
+      ++left_out;
+      return;
+    }
+    rows_of[family_label(curve->first)].push_back(row);
+    real.add({row, curve->second, bin_of(make.bins, run.n).n, run.n, value("angle_miss"),
+              value("condition"), value("within_1e_12"), value("within_1e_9"), value("within_1e_6"),
+              value("within_1e_3"), value("collapsed_segments") > 0 || value("crossings") > 0,
+              run.cpu_s});
+  };
   Judged judged;
   for (std::size_t row = 0; row < count; ++row) {
     const RunRecord& run = rows.run(row);
     const bool is_judged = run.status == RunStatus::ok || run.status == RunStatus::violated;
     if (run.n < 1 || run.phase != RunPhase::metrics) continue;
     if (is_judged) add_judgement(run, judged);
-    if (is_judged || run.status == RunStatus::measured) real.add(run, row);
+    if (is_judged || run.status == RunStatus::measured) add_real(run, row);
   }
-  real.finish();
+  if (!rows_of.empty()) {
+    make.table("precision").add({real.size(), left_out});
+    add_real_graphs(rows_of, make);
+  }
   add_judgements(make, in_bins(std::move(judged)));
 }
 

@@ -127,11 +127,10 @@ std::string scaling_csv(const StudyAnalysis& analysis) {
 }
 
 void rows_csv(const Rows& rows, const TextSink& write) {
-  const std::vector<Column> metrics = columns_of_kind(ColumnKind::metric);
   std::string csv =
       "row,key,algorithm,options,family,parameters,graph_name,group,instance,n,m,seed,status,"
       "certificate";
-  for (const Column& metric : metrics) csv += "," + metric.name;
+  for (const Metric& metric : metrics()) csv += "," + metric.name;
   for (const char* box : {"instance_bound", "theorem_bound", "published_bound", "slack"}) {
     for (const char axis : {'x', 'y', 'z'}) csv += fmt::format(",{}_{}", box, axis);
   }
@@ -139,7 +138,6 @@ void rows_csv(const Rows& rows, const TextSink& write) {
   const auto integer = [](std::int64_t value) { return value < 0 ? "" : std::to_string(value); };
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const RunRecord& run = rows.run(row);
-    const std::vector<char> record = metrics_record(run);
     std::vector<std::string> fields = {std::to_string(row),
                                        run.row_key,
                                        csv_field(run.algorithm),
@@ -154,9 +152,9 @@ void rows_csv(const Rows& rows, const TextSink& write) {
                                        std::to_string(run.seed),
                                        to_string(run.status),
                                        csv_field(run.certificate)};
-    for (const Column& metric : metrics) {
-      const bool is_missing = std::isnan(column_number(metric, record.data()));
-      fields.push_back(is_missing ? "" : column_text(metric, record.data()));
+    for (const MetricValue& metric : metrics_of(run)) {
+      const auto text = [](auto value) { return fmt::format("{}", value); };
+      fields.push_back(std::isnan(number_of(metric)) ? "" : std::visit(text, metric));
     }
     for (const std::int64_t bound : run.instance_bound) fields.push_back(integer(bound));
     std::array<double, 3> slack{};

@@ -24,8 +24,7 @@ Badness badness_of(const RunRecord& run) {
     const double of_axis = static_cast<double>(run.extents[axis]) / run.theorem_bound[axis];
     if (run.extents[axis] >= 0) share = std::max(share, known(of_axis));
   }
-  static const Column miss = run_column("angle_miss");
-  return {share, known(column_number(miss, run)), known(run.log2_volume)};
+  return {share, known(metric_of(run, "angle_miss")), known(run.log2_volume)};
 }
 
 auto drawing_of(const RunRecord& run) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "ar3d/base/error.h"
-#include "ar3d/store/columns/record_pass.h"
 
 namespace ar3d {
 namespace {
@@ -80,54 +79,67 @@ constexpr std::array kMembers = {"extent_x",
                                  "smallest_vertex_distance"};
 
 // Of every metric its number among the members, or how many there are.
-std::vector<std::size_t> members_of_metrics() {
-  std::vector<std::size_t> members;
-  for (const Metric& metric : metrics()) {
-    members.push_back(
-        static_cast<std::size_t>(std::ranges::find(kMembers, metric.name) - kMembers.begin()));
-    expect((metric.type == MetricType::int64) == (members.back() < 11) ||
-               members.back() == kMembers.size(),
-           "a metric has its member's type");
-  }
-  for (std::size_t i = 0; i < kMembers.size(); ++i) {
-    expect(std::ranges::count(members, i) == 1, "every metric with a member is in their table");
-  }
+const std::vector<std::size_t>& members_of_metrics() {
+  static const std::vector<std::size_t> members = [] {
+    std::vector<std::size_t> found;
+    for (const Metric& metric : metrics()) {
+      found.push_back(
+          static_cast<std::size_t>(std::ranges::find(kMembers, metric.name) - kMembers.begin()));
+    }
+    const auto others = static_cast<std::size_t>(std::ranges::count(found, kMembers.size()));
+    expect(found.size() - others == kMembers.size(), "every member is in the table of metrics");
+    return found;
+  }();
   return members;
+}
+
+// The values of the other metrics, those that stand for none if the row holds none.
+template <class Run>
+auto& other_metrics(Run& r) {
+  static const std::vector<MetricValue> none = [] {
+    std::vector<MetricValue> values;
+    for (std::size_t i = 0; i < metrics().size(); ++i) {
+      if (members_of_metrics()[i] < kMembers.size()) continue;
+      const bool is_integer = metrics()[i].type == MetricType::int64;
+      values.push_back(is_integer ? MetricValue(std::int64_t{-1}) : MetricValue(kMissing));
+    }
+    return values;
+  }();
+  if constexpr (std::is_const_v<Run>) {
+    return r.other_metrics.empty() ? none : r.other_metrics;
+  } else {
+    if (r.other_metrics.empty()) r.other_metrics = none;
+    return r.other_metrics;
+  }
+}
+
+// Calls use(metric, value) for all metrics, in the order of their table.
+template <class Run, class Use>
+void for_each_metric(Run& r, const Use& use) {
+  const std::array doubles = {&r.log2_volume, &r.total_edge_length, &r.longest_edge_length,
+                              &r.smallest_vertex_distance};
+  auto other = other_metrics(r).begin();
+  for (std::size_t i = 0; i < metrics().size(); ++i) {
+    const auto take = [&](auto& value) { use(metrics()[i], value); };
+    const std::size_t member = members_of_metrics()[i];
+    if (member < 3) {
+      take(r.extents[member]);
+    } else if (member < 11) {
+      take(r.bends[member - 3]);
+    } else if (member < kMembers.size()) {
+      take(*doubles[member - 11]);
+    } else {
+      std::visit(take, *other++);
+    }
+  }
 }
 
 template <class Run>
 void metric_columns(RecordPass& c, Run& r) {
-  static const std::vector<std::size_t> members = members_of_metrics();
-  const std::array doubles = {&r.log2_volume, &r.total_edge_length, &r.longest_edge_length,
-                              &r.smallest_vertex_distance};
   c.next_are(ColumnKind::metric, false);
-  std::size_t others = 0;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const Metric& metric = metrics()[i];
-    const auto column = [&](auto& value) {
-      c.number(metric.name, metric.unit.c_str(), value, metric.definition.c_str());
-    };
-    const auto other = [&](auto value) {  // begins as what stands for no value
-      const std::size_t index = others++;
-      if (index < r.other_metrics.size()) value = std::get<decltype(value)>(r.other_metrics[index]);
-      column(value);
-      if constexpr (!std::is_const_v<Run>) {
-        if (index >= r.other_metrics.size()) r.other_metrics.resize(index + 1);
-        r.other_metrics[index] = value;
-      }
-    };
-    if (members[i] < 3) {
-      column(r.extents[members[i]]);
-    } else if (members[i] < 11) {
-      column(r.bends[members[i] - 3]);
-    } else if (members[i] < kMembers.size()) {
-      column(*doubles[members[i] - 11]);
-    } else if (metric.type == MetricType::int64) {
-      other(std::int64_t{-1});
-    } else {
-      other(kMissing);
-    }
-  }
+  for_each_metric(r, [&c](const Metric& metric, auto& value) {
+    c.number(metric.name, metric.unit.c_str(), value, metric.definition.c_str());
+  });
 }
 
 template <class Run>
@@ -183,25 +195,13 @@ void columns_of(RecordPass& c, Run& r) {
   count_columns(c, r);
 }
 
-std::size_t first_of(ColumnKind kind) {
-  return static_cast<std::size_t>(std::ranges::find(run_columns(), kind, &Column::kind) -
-                                  run_columns().begin());
-}
-
-template <class T>
-T number_at(const Column& column, const char* record) {
-  T value{};
-  std::memcpy(&value, record + column.offset, sizeof(T));
-  return value;
-}
-
 }  // namespace
 
 const StoredTable& runs_spec() {
   static const StoredTable spec = [] {
     StoredTable made;
     RecordPass pass(made);
-    RunRecord none;
+    const RunRecord none;
     columns_of(pass, none);
     pack_columns(made.columns);
     return made;
@@ -224,7 +224,7 @@ std::size_t run_record_size() {
 
 void store_record(const RunRecord& run, char* record) {
   std::memset(record, 0, run_record_size());
-  RecordPass pass = RecordPass::writing(run_columns(), record);
+  RecordPass pass(run_columns(), record);
   columns_of(pass, run);
 }
 
@@ -234,75 +234,38 @@ std::vector<char> record_of(const RunRecord& run) {
   return record;
 }
 
-std::vector<char> metrics_record(const RunRecord& run) {
-  std::vector<char> record(run_record_size());
-  RecordPass pass = RecordPass::writing(run_columns(), record.data(), first_of(ColumnKind::metric));
-  metric_columns(pass, run);
-  return record;
-}
-
 RunRecord load_record(const char* record) {
   RunRecord run;
-  RecordPass pass = RecordPass::reading(run_columns(), record);
+  RecordPass pass(run_columns(), record);
   columns_of(pass, run);
   return run;
 }
 
-std::vector<Column> columns_of_kind(ColumnKind kind) {
-  std::vector<Column> chosen;
-  for (const Column& column : run_columns()) {
-    if (column.kind == kind) chosen.push_back(column);
-  }
-  return chosen;
-}
-
 void set_metrics(const DrawingSummary& summary, RunRecord& run) {
-  static const std::vector<Column> columns = columns_of_kind(ColumnKind::metric);
-  std::vector<char> record(run_record_size());
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    std::visit([&](auto v) { std::memcpy(&record[columns[i].offset], &v, sizeof(v)); },
-               metrics()[i].value(summary));
-  }
-  RecordPass pass = RecordPass::reading(run_columns(), record.data(), first_of(ColumnKind::metric));
-  metric_columns(pass, run);
+  for_each_metric(run, [&summary](const Metric& metric, auto& value) {
+    value = std::get<std::remove_reference_t<decltype(value)>>(metric.value(summary));
+  });
 }
 
-void take_results(const RunRecord& from, RunRecord& run) {
-  std::vector<char> record(run_record_size());
-  const std::size_t first = first_of(ColumnKind::result);
-  RecordPass write = RecordPass::writing(run_columns(), record.data(), first);
-  result_columns(write, from);
-  metric_columns(write, from);
-  RecordPass read = RecordPass::reading(run_columns(), record.data(), first);
-  result_columns(read, run);
-  metric_columns(read, run);
-  run.theorem_bound = from.theorem_bound;
-  run.published_bound = from.published_bound;
+std::vector<MetricValue> metrics_of(const RunRecord& run) {
+  std::vector<MetricValue> values;
+  for_each_metric(run, [&](const Metric&, const auto& value) { values.emplace_back(value); });
+  return values;
 }
 
-std::string column_text(const Column& column, const char* record) {
-  switch (column.type) {
-    case ColumnType::text:
-      return text_of(column, record);
-    case ColumnType::int64:
-      return fmt::format("{}", number_at<std::int64_t>(column, record));
-    case ColumnType::uint64:
-      return fmt::format("{}", number_at<std::uint64_t>(column, record));
-    case ColumnType::float64:
-      return fmt::format("{}", number_at<double>(column, record));
-  }
-  throw InternalError("internal error: unknown column type");
+double number_of(const MetricValue& value) {
+  const auto* const integer = std::get_if<std::int64_t>(&value);
+  if (integer == nullptr) return std::get<double>(value);
+  return *integer < 0 ? kMissing : static_cast<double>(*integer);
 }
 
-double column_number(const Column& column, const char* record) {
-  if (column.type == ColumnType::float64) return number_at<double>(column, record);
-  expect(column.type == ColumnType::int64, "a column with a number");
-  const auto integer = number_at<std::int64_t>(column, record);
-  return integer < 0 ? kMissing : static_cast<double>(integer);
-}
-
-double column_number(const Column& column, const RunRecord& run) {
-  return column_number(column, metrics_record(run).data());
+double metric_of(const RunRecord& run, std::string_view name) {
+  std::optional<double> number;
+  for_each_metric(run, [&](const Metric& metric, const auto& value) {
+    if (metric.name == name) number = number_of(value);
+  });
+  expect(number.has_value(), "a metric of that name");
+  return *number;
 }
 
 std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b) {

@@ -30,24 +30,14 @@ void store_record(const RunRecord& run, char* record);
 std::vector<char> record_of(const RunRecord& run);
 RunRecord load_record(const char* record);
 
-/// Gives the columns of that kind, in the same order. `offset` is their index in a record of /runs.
-std::vector<Column> columns_of_kind(ColumnKind kind);
-
 /// Takes over the metrics of a drawing: all of them, in one go.
 void set_metrics(const DrawingSummary& summary, RunRecord& run);
-/// Takes over another row's results, metrics and bounds: those of the same drawing.
-void take_results(const RunRecord& from, RunRecord& run);
-
-/// Returns a record with the metrics of a row and nothing else, whatever its texts are.
-std::vector<char> metrics_record(const RunRecord& run);
-
-/// Returns the value for people and CSV files: text, a decimal integer, or the shortest decimal
-/// that reads back to the same double; "nan" if missing.
-std::string column_text(const Column& column, const char* record);
-/// Returns the value of a column of type int64 or float64; missing if it is -1 or NaN.
-double column_number(const Column& column, const char* record);
-/// Returns a metric of a row. Of many take them from metrics_record().
-double column_number(const Column& metric, const RunRecord& run);
+/// Returns the values of metrics(), in that order.
+std::vector<MetricValue> metrics_of(const RunRecord& run);
+/// Returns the value as a number; NaN: missing.
+double number_of(const MetricValue& value);
+/// Returns the number of the metric of that name. @throws InternalError if there is none.
+double metric_of(const RunRecord& run, std::string_view name);
 
 /// Returns the columns that are not measured and differ in their bits. Empty: the same result.
 std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b);

@@ -56,32 +56,8 @@ RunPhase parse_run_phase(std::string_view text);
 /// that does not, and arithmetic without memory.
 inline constexpr std::array kYardsticks = {"cached", "memory", "arithmetic"};
 
-/// Describes one row of /runs: instance x algorithm x options x repetition. Times in seconds,
-/// memory in bytes, lengths and extents in lattice units. Missing integers are -1, missing floats
-/// NaN; never 0.
-struct RunRecord {
-  std::string row_key;  ///< 32 hexadecimal digits: identity of (study, instance, algorithm,
-                        ///< options, repetition)
-  std::string family;
-  std::string parameters;  ///< "k=2;p=750000", complete and in catalogue order
-  std::int64_t requested_n = -1;
-  std::int64_t n = -1;
-  std::int64_t m = -1;
-  std::int64_t instance_index = -1;  ///< 0, 1, … : which instance of (family, parameters, n)
-  std::uint64_t seed = 0;            ///< the generator's seed of this instance
-  std::string graph_hash;            ///< 32 hexadecimal digits
-  std::string graph_name;  ///< of a graph of files: its file, "#3" behind it if of several
-  std::string group;       ///< of a graph of a collection
-  std::int64_t max_degree = -1;
-  std::string algorithm;
-  std::string options;  ///< "effort=1", complete and in catalogue order
-  RunPhase phase = RunPhase::metrics;
-  std::int64_t workers = -1;     ///< threads or ranks that share the batch; missing outside of one
-  std::int64_t repetition = -1;  ///< within (phase, workers)
-  std::string
-      level;  ///< "extents", "positions", "full": what was stored of the drawing; may be missing
-
-  // Deterministic results.
+/// Holds what all rows of one drawing have in common. Missing integers are -1, missing floats NaN.
+struct DrawingResult {
   RunStatus status = RunStatus::crashed;
   std::string message;       ///< first violation or error, cut to fit
   std::string drawing_hash;  ///< 32 hexadecimal digits
@@ -105,6 +81,32 @@ struct RunRecord {
   std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
   /// Holds a published bound, for comparison only; missing if there is none.
   std::array<double, 3> published_bound{kMissing, kMissing, kMissing};
+};
+
+/// Describes one row of /runs: instance x algorithm x options x repetition. Times in seconds,
+/// memory in bytes, lengths and extents in lattice units. Missing integers are -1, missing floats
+/// NaN; never 0.
+struct RunRecord : DrawingResult {
+  std::string row_key;  ///< 32 hexadecimal digits: identity of (study, instance, algorithm,
+                        ///< options, repetition)
+  std::string family;
+  std::string parameters;  ///< "k=2;p=750000", complete and in catalogue order
+  std::int64_t requested_n = -1;
+  std::int64_t n = -1;
+  std::int64_t m = -1;
+  std::int64_t instance_index = -1;  ///< 0, 1, … : which instance of (family, parameters, n)
+  std::uint64_t seed = 0;            ///< the generator's seed of this instance
+  std::string graph_hash;            ///< 32 hexadecimal digits
+  std::string graph_name;  ///< of a graph of files: its file, "#3" behind it if of several
+  std::string group;       ///< of a graph of a collection
+  std::int64_t max_degree = -1;
+  std::string algorithm;
+  std::string options;  ///< "effort=1", complete and in catalogue order
+  RunPhase phase = RunPhase::metrics;
+  std::int64_t workers = -1;     ///< threads or ranks that share the batch; missing outside of one
+  std::int64_t repetition = -1;  ///< within (phase, workers)
+  std::string
+      level;  ///< "extents", "positions", "full": what was stored of the drawing; may be missing
 
   // Measured.
   double generate_s = kMissing;

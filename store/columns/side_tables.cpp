@@ -11,7 +11,6 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/number.h"
-#include "ar3d/store/columns/record_pass.h"
 
 namespace ar3d {
 namespace {
@@ -167,7 +166,7 @@ StoredTable table_of(StoredTable table, const std::vector<Record>& records) {
   table.records.resize(records.size() * size);
   for (std::size_t i = 0; i < records.size(); ++i) {
     Record record = records[i];
-    RecordPass pass = RecordPass::writing(table.columns, table.records.data() + i * size);
+    RecordPass pass(table.columns, table.records.data() + i * size);
     columns_of(pass, record);
   }
   return table;
@@ -177,7 +176,7 @@ template <class Record>
 std::vector<Record> records_of(const StoredTable& table) {
   std::vector<Record> records;
   for (std::size_t i = 0; i < table.size(); ++i) {
-    RecordPass pass = RecordPass::reading(table.columns, table.record(i));
+    RecordPass pass(table.columns, table.record(i));
     Record record;
     if (columns_of(pass, record)) records.push_back(std::move(record));
   }

@@ -11,7 +11,6 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/store/columns/record_pass.h"
 
 namespace ar3d {
 namespace {

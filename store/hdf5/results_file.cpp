@@ -100,7 +100,9 @@ std::string description_of(const StudyIdentity& identity,
 // The table of rows and, of every graph once, their columns that describe it.
 void write_rows(hid_t file, std::size_t count,
                 const std::function<void(std::size_t i, char* record)>& read, HashStream& hash) {
-  const std::vector<Column> columns = columns_of_kind(ColumnKind::instance);
+  std::vector<Column> columns;
+  std::ranges::copy_if(run_columns(), std::back_inserter(columns),
+                       [](const Column& column) { return column.kind == ColumnKind::instance; });
   StoredTable instances_spec{"instances", "one record per graph", columns};
   pack_columns(instances_spec.columns);
   TableWriter instances(file, instances_spec);

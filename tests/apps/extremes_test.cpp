@@ -120,9 +120,7 @@ TEST(Extremes, ScalesOfRealTypes) {
 }
 
 /// Column of a row as a number; missing if it is not there.
-double number(const RunRecord& row, const char* column) {
-  return column_number(run_column(column), row);
-}
+double number(const RunRecord& row, const char* column) { return metric_of(row, column); }
 
 TEST(Extremes, RealTypesOfGraphsOfNoAndFewVertices) {
   const ScratchDirectory scratch;

@@ -156,7 +156,7 @@ TEST(MakeRow, TheBisectionOfFirstInstancesIsSoughtUnlessTheRequestSaysNo) {
     RowMaker maker;
     maker.prepare(instance);
     const RunRecord row = maker.make_row(instance.runs[0], {.bisect = bisect});
-    return column_number(run_column("volume_at_least"), row);
+    return metric_of(row, "volume_at_least");
   };
   EXPECT_GT(bound(0, true), bound(1, true)) << "of the same graph";
   EXPECT_EQ(bound(0, false), bound(1, true));

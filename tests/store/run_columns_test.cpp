@@ -76,10 +76,10 @@ TEST(Columns, NumbersOfMissingValuesAreMissing) {
   run.bends[2] = -1;
   run.log2_volume = 2.5;
   run.longest_edge_length = kMissing;
-  EXPECT_EQ(column_number(run_column("bends_1"), run), 5);
-  EXPECT_EQ(column_number(run_column("log2_volume"), run), 2.5);
-  EXPECT_TRUE(std::isnan(column_number(run_column("bends_2"), run)));
-  EXPECT_TRUE(std::isnan(column_number(run_column("longest_edge_length"), run)));
+  EXPECT_EQ(metric_of(run, "bends_1"), 5);
+  EXPECT_EQ(metric_of(run, "log2_volume"), 2.5);
+  EXPECT_TRUE(std::isnan(metric_of(run, "bends_2")));
+  EXPECT_TRUE(std::isnan(metric_of(run, "longest_edge_length")));
 }
 
 TEST(Columns, DifferencesNameTheColumnAndLeaveTimesOut) {
