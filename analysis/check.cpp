@@ -89,14 +89,6 @@ void check_whole_file(const Rows& rows, bool any_drawn, const FindingSink& add) 
   }
 }
 
-std::vector<bool> last_repetitions(const std::vector<Fingerprint>& sorted) {
-  std::vector<bool> is_last(sorted.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    is_last[sorted[i].row] = i + 1 == sorted.size() || sorted[i + 1].key != sorted[i].key;
-  }
-  return is_last;
-}
-
 std::string describe(const Finding& finding) {
   const std::string head = is_violation(finding.kind) ? "VIOLATED" : "INCOMPLETE";
   if (!finding.row) return fmt::format("{}: {}\n", head, finding.message);
@@ -191,26 +183,20 @@ CheckVerdict check(const Rows& rows, const std::string& one_study) {
     verdict.findings.push_back(std::move(finding));
   };
   bool any_drawn = false;
-  RowKeys keys;
-  GraphSeeds graphs;
-  std::vector<Fingerprint> prints(rows.size());
+  RowsTogether together(rows, one_study);
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const RunRecord& run = rows.run(row);
-    if (!one_study.empty()) note_of_study(run, row, keys, graphs);
+    together.add(run);
     for (Finding& finding : row_findings(run, row)) add(std::move(finding), &run);
     is_ok[row] = run.status == RunStatus::ok && !is_unproved(run);
     verdict.unproved += is_unproved(run);
     any_drawn = any_drawn || is_drawn(run);
     verdict.refused += run.status == RunStatus::refused;
     verdict.measured += run.status == RunStatus::measured;
-    prints[row] = fingerprint_of(run, row);
   }
-  if (!one_study.empty()) {
-    require_one_study(rows, std::move(keys), std::move(graphs), one_study);
-  }
-  std::sort(prints.begin(), prints.end());
+  together.require_one_study();
   kept = {};  // of this second look at the rows as many are kept again
-  find_in_repetitions(rows, prints, add);
+  verdict.is_last_repetition = together.find_in_repetitions(add);
   check_whole_file(rows, any_drawn, add);
   for (std::size_t row = 0; row < rows.size(); ++row) {  // once: violated, incomplete or proved
     verdict.violated_rows += violated[row];
@@ -220,7 +206,6 @@ CheckVerdict check(const Rows& rows, const std::string& one_study) {
   std::ranges::stable_sort(verdict.findings, {}, [](const Finding& finding) {
     return std::tuple(!is_violation(finding.kind), finding.row.value_or(0));
   });
-  verdict.is_last_repetition = last_repetitions(prints);
   return verdict;
 }
 

@@ -3,6 +3,7 @@
 #include <compare>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -67,40 +68,45 @@ struct CheckVerdict {
 /// Looks at every row, once and in file order, and again at those whose repetitions differ. Cost:
 /// O(r log r) time for r rows, 33 bytes per row.
 /// @param one_study  given: a path, for messages. The rows have to be of one study.
-/// @throws InputError as require_one_study.
+/// @throws InputError as RowsTogether.
 CheckVerdict check(const Rows& rows, const std::string& one_study = "");
-
-/// Hold of rows what tells whether they can be of one study: their keys, and of graphs a hash of
-/// family, parameters, n and index, the seed, and a row. Memory: 24 bytes per row and per graph.
-using RowKeys = std::vector<std::pair<RowKey, std::size_t>>;
-using GraphSeeds = std::vector<std::tuple<std::size_t, std::uint64_t, std::size_t>>;
-/// Takes the next row. @throws InputError if its key is none.
-void note_of_study(const RunRecord& run, std::size_t row, RowKeys& keys, GraphSeeds& graphs);
-/// Requires of all rows that graphs of one family, parameters, n and index have one seed, that
-/// keys are unique and not zero, and that there are no more rows than planned.
-/// @throws InputError naming `path` and the rows.
-void require_one_study(const Rows& rows, RowKeys keys, GraphSeeds graphs, const std::string& path);
 
 /// Returns which graph, drawn how: rows that agree in it are repetitions.
 std::string repetition_key(const RunRecord& run);
 
-/// Holds what is kept of a row: hashes, so that only rows that may be wrong are read again.
-struct Fingerprint {
-  std::size_t key = 0;          ///< of repetition_key
-  std::size_t row = 0;          ///< so that rows of one key are neighbours, in file order
-  std::size_t measurement = 0;  ///< of phase, number of workers and repetition
-  std::size_t drawing = 0;      ///< of what repetitions must have in common; 0: the row is not ok
-  auto operator<=>(const Fingerprint&) const = default;
-};
-Fingerprint fingerprint_of(const RunRecord& run, std::size_t row);
-
 /// Takes a finding and its row; null if it concerns the whole file.
 using FindingSink = std::function<void(Finding, const RunRecord*)>;
 
-/// Finds measurements that stand twice and repetitions that differ. Only rows whose fingerprints
-/// are suspicious are read. @param sorted  the fingerprints of all rows.
-void find_in_repetitions(const Rows& rows, const std::vector<Fingerprint>& sorted,
-                         const FindingSink& found);
+/// Finds what rows tell together. It holds their keys and hashes, so that only rows that may be
+/// wrong are read again. Memory: 32 bytes per row; of one study 24 more, and 24 per graph.
+class RowsTogether {
+ public:
+  /// @param rows  outlive it. @param one_study  as of check.
+  RowsTogether(const Rows& rows, const std::string& one_study);
+  ~RowsTogether();
+  /// Takes the next row. @throws InputError if they are of one study and its key is none.
+  void add(const RunRecord& run);
+  /// Requires, after the last row, that those of one study can be that: graphs of one family,
+  /// parameters, n and index have one seed, keys are unique and not zero, and there are no more rows
+  /// than planned. @throws InputError naming `one_study` and the rows.
+  void require_one_study();
+  /// Finds measurements that stand twice and repetitions that differ. @return whether a row is the
+  /// last one of its graph, algorithm and options.
+  std::vector<bool> find_in_repetitions(const FindingSink& found);
+
+ private:
+  struct Fingerprint;
+  using Repetitions = std::span<const Fingerprint>;  // of one key
+
+  static bool is_suspicious(const Repetitions& rows);
+  void compare(const Repetitions& rows, const FindingSink& found) const;
+
+  const Rows& rows_;
+  const std::string one_study_;
+  std::vector<Fingerprint> prints_;
+  std::vector<std::pair<RowKey, std::size_t>> keys_;
+  std::vector<std::tuple<std::size_t, std::uint64_t, std::size_t>> graphs_;  // hash, seed and row
+};
 
 /// Returns true if the row alone shows a broken bound or certificate.
 bool breaks_promise(const RunRecord& run);

@@ -155,28 +155,23 @@ JournalStatus journal_status(const std::string& path) {
 JournalReader::JournalReader(std::string path)
     : path_(std::move(path)), file_(open_to_read(path_)) {
   scan_journal(file_.get(), path_, [this](const JournalRecord& record) {
-    note(record);
+    if (record.kind == kRow) {
+      constexpr std::string_view kKey = R"({"row_key":")";  // the rest of the row is not looked at
+      const bool has_key = record.payload.starts_with(kKey);
+      keys_.push_back(parse_row_key(has_key ? record.payload.substr(kKey.size(), 32) : ""));
+      rows_.emplace_back(record.payload_offset, record.payload.size());
+    } else if (record.kind == kIdentity) {
+      identity_ = parse_identity(record.payload, path_);
+    } else if (record.kind == kSession) {
+      sessions_.push_back(parse_session(record.payload, path_));
+    } else if (sessions_.empty()) {
+      throw InputError(fmt::format("{}: a session ends that has not begun", path_));
+    } else {
+      std::ranges::move(parse_session(record.payload, path_), std::back_inserter(sessions_.back()));
+    }
     return true;
   });
   require_beginning(identity_, path_);
-}
-
-void JournalReader::note(const JournalRecord& record) {
-  if (record.kind == kRow) {
-    constexpr std::string_view kKey = R"({"row_key":")";  // the rest of the row is not looked at
-    const bool has_key = record.payload.starts_with(kKey);
-    keys_.push_back(parse_row_key(has_key ? record.payload.substr(kKey.size(), 32) : ""));
-    rows_.emplace_back(record.payload_offset, record.payload.size());
-  } else if (record.kind == kIdentity) {
-    identity_ = parse_identity(record.payload, path_);
-  } else if (record.kind == kSession) {
-    sessions_.push_back(parse_session(record.payload, path_));
-  } else {
-    if (sessions_.empty()) {
-      throw InputError(fmt::format("{}: a session ends that has not begun", path_));
-    }
-    std::ranges::move(parse_session(record.payload, path_), std::back_inserter(sessions_.back()));
-  }
 }
 
 void JournalReader::read(std::size_t i, char* record) const {

@@ -42,13 +42,11 @@ class JournalReader {
   /// Returns its key, while keys are held.
   RowKey key(std::size_t i) const { return keys_.at(i); }
   /// Holds no keys any more, for those who have an index of their own.
-  void drop_keys() { keys_ = {}; }
+  void drop_keys() { keys_ = std::vector<RowKey>(); }
   /// Writes a record. @throws InputError
   void read(std::size_t i, char* record) const;
 
  private:
-  void note(const JournalRecord& record);
-
   std::string path_;
   Descriptor file_;
   StudyIdentity identity_;
