@@ -145,7 +145,8 @@ class Drawing {
   void polyline(EdgeId e, std::vector<Point>& out) const;
 
   template <class Visit>
-  friend void for_each_polyline(const Drawing& drawing, EdgeId begin, EdgeId end, Visit&& visit);
+  friend void for_each_polyline_block(const Drawing& drawing, EdgeId begin, EdgeId end,
+                                      Visit&& visit);
 
   /// The run's own numbers, and the box that the construction's proof promises for this very
   /// instance.
@@ -175,37 +176,46 @@ class Drawing {
 Drawing drawing_from_points(std::string name, const Graph& graph, std::span<const Point> vertices,
                             const std::vector<std::vector<Point>>& bends = {});
 
-/// Calls visit(e, points) for the polylines of the edges begin, ..., end - 1 in this order;
-/// `points` is a const std::vector<Point>&, valid during the call. Vertices have no order in
+/// Calls visit(first, polylines) for blocks of the edges begin, ..., end - 1 in this order, their
+/// polylines a span of const std::vector<Point>, valid during the call. Vertices have no order in
 /// memory, so reading the ends of an edge waits for two cache misses: those of the next block of
 /// edges are asked for before the polylines of this one are made. O(edges + bends) time, O(1)
 /// memory.
 template <class Visit>
-void for_each_polyline(const Drawing& drawing, EdgeId begin, EdgeId end, Visit&& visit) {
-  static constexpr EdgeId kBlock = 32;                // 8, 32 and 128 take the same time
-  std::array<std::pair<Point, Point>, kBlock> block;  // the ends of its edges
-  std::vector<Point> points;
+void for_each_polyline_block(const Drawing& drawing, EdgeId begin, EdgeId end, Visit&& visit) {
+  static constexpr EdgeId kBlock = 64;               // 8, 32 and 128 take the same time
+  std::array<std::pair<Point, Point>, kBlock> ends;  // of its edges
+  std::array<std::vector<Point>, kBlock> polylines;
   const auto count_from = [end](EdgeId first) { return std::min<EdgeId>(kBlock, end - first); };
   const auto prefetch = [&](EdgeId first) {
     for (EdgeId i = 0; i < count_from(first); ++i) {
-      const Edge ends = drawing.edge(first + i);
-      drawing.vertices_.prefetch(ends.u);
-      drawing.vertices_.prefetch(ends.v);
+      const Edge edge = drawing.edge(first + i);
+      drawing.vertices_.prefetch(edge.u);
+      drawing.vertices_.prefetch(edge.v);
     }
   };
   if (begin < end) prefetch(begin);
   for (EdgeId first = begin, count = 0; first < end; first += count) {
     count = count_from(first);
     for (EdgeId i = 0; i < count; ++i) {
-      const Edge ends = drawing.edge(first + i);
-      block[i] = {drawing.vertex(ends.u), drawing.vertex(ends.v)};
+      const Edge edge = drawing.edge(first + i);
+      ends[i] = {drawing.vertex(edge.u), drawing.vertex(edge.v)};
     }
     prefetch(first + count);
     for (EdgeId i = 0; i < count; ++i) {
-      drawing.polyline_between(first + i, block[i].first, block[i].second, points);
-      visit(first + i, std::as_const(points));
+      drawing.polyline_between(first + i, ends[i].first, ends[i].second, polylines[i]);
     }
+    visit(first, std::span<const std::vector<Point>>(polylines).first(count));
   }
+}
+
+/// Calls visit(e, points) for the polylines of the edges begin, ..., end - 1 in this order.
+template <class Visit>
+void for_each_polyline(const Drawing& drawing, EdgeId begin, EdgeId end, Visit&& visit) {
+  for_each_polyline_block(drawing, begin, end,
+                          [&](EdgeId e, std::span<const std::vector<Point>> polylines) {
+                            for (const auto& points : polylines) visit(e++, points);
+                          });
 }
 
 /// The polylines of all edges in order of edge numbers.

@@ -71,23 +71,19 @@ class ExaminationPass {
     std::optional<DrawingHash> hash;
     if (parts_.hash) hash.emplace(drawing_);
     metrics_s_ = now_s() - begin;
-    std::array<std::vector<Point>, 64> block;
-    const EdgeId m = drawing_.num_edges();
-    for_each_polyline(drawing_, [&](EdgeId e, const std::vector<Point>& points) {
-      block[e % block.size()] = points;
-      if ((e + 1) % block.size() != 0 && e + 1 != m) return;
-      const EdgeId first = e - e % static_cast<EdgeId>(block.size());
+    const auto visit = [&](EdgeId first, std::span<const std::vector<Point>> polylines) {
       begin = now_s();
-      for (EdgeId i = first; i <= e; ++i) {
-        summary.add(block[i - first]);
-        if (hash) hash->add(drawing_.edge(i), block[i - first]);
+      for (const auto& points : polylines) summary.add(points);
+      for (EdgeId e = first; hash && e < first + polylines.size(); ++e) {
+        hash->add(drawing_.edge(e), polylines[e - first]);
       }
       metrics_s_ += now_s() - begin;
-      for (EdgeId i = first; i <= e && with_proof; ++i) {
-        if (by_planes_) by_planes_->add(drawing_.edge(i), block[i - first]);
-        if (by_columns_) by_columns_->add(drawing_.edge(i), block[i - first]);
+      for (EdgeId e = first; with_proof && e < first + polylines.size(); ++e) {
+        if (by_planes_) by_planes_->add(drawing_.edge(e), polylines[e - first]);
+        if (by_columns_) by_columns_->add(drawing_.edge(e), polylines[e - first]);
       }
-    });
+    };
+    for_each_polyline_block(drawing_, 0, drawing_.num_edges(), visit);
     begin = now_s();
     summary_ = summary.finish();
     if (hash) hash_ = hash->digest();

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"

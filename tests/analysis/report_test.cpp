@@ -2,7 +2,6 @@
 #include "ar3d/analysis/report/report.h"
 
 #include <cmath>
-#include <fstream>
 #include <set>
 
 #include "analysis/synthetic.h"

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/check.h"

@@ -2,7 +2,6 @@
 // the program: certified, or refused in one line.
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <set>
 
 #include "ar3d/algorithms/catalog.h"

@@ -9,8 +9,6 @@
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
-#include <map>
 #include <thread>
 
 #include "ar3d/base/error.h"

@@ -1,6 +1,5 @@
 // The two encodings on thousands of boxes, and the smallest boxes of all graphs with five vertices
 // by the second one alone.
-#include <map>
 
 #include "optimum/optimum_support.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <set>
 #include <utility>
 #include <vector>
 

@@ -26,12 +26,6 @@ inline Draft simple(Draft draft) {
   return draft;
 }
 
-inline bool has_isolated_vertex(const Draft& draft) {
-  std::vector<bool> used(draft.vertices.size());
-  for (const auto& edge : draft.edges) used[edge.ends.u] = used[edge.ends.v] = true;
-  return std::find(used.begin(), used.end(), false) != used.end();
-}
-
 /// Without the vertices that no edge ends at.
 inline Draft without_isolated(Draft draft) {
   std::vector<Vertex> number(draft.vertices.size(), ~Vertex{0});

@@ -119,7 +119,7 @@ bool ColumnProof::take_star(Vertex v, std::size_t& next_other) {
 }
 
 /// Angles and neighbours at the vertices. A vertex without edges becomes a vertical segment of
-/// length zero (Lemma V.3).
+/// length zero.
 bool ColumnProof::take_vertices() {
   std::sort(others_.begin(), others_.end());
   std::size_t next_other = 0;

@@ -1,7 +1,7 @@
-// Lemma V.1: a drawing without overlaps is free of crossings if and only if as
-// many pairs of segments meet as must meet, in bends and vertices. So it is enough to count, which
-// needs no names of segments and no list of meetings. Naming all pairs
-// (near_pairs.h) was dropped here and is the oracle.
+// Lemmas V.1 and V.3: a drawing is free of crossings if and only if as many pairs of segments that
+// are not parallel meet as must meet, in bends and vertices. So it is enough to count, which needs
+// no names of segments and no list of meetings. Dropped: naming all pairs (near_pairs.h), which is
+// the oracle, and looking through the segments of each line, a tenth of the certificate.
 #include "ar3d/verify/counting/counting_proof.h"
 
 #include <atomic>
@@ -27,6 +27,23 @@ bool has_room_for_all(const Drawing& drawing, const CountingSizes& sizes) {
   return sizes.memory == 0 || kEdgeBytes * drawing.num_edges() <= sizes.memory;
 }
 
+/// The direction of the points of Lemma V.3 where all segments have direction `index`.
+constexpr std::size_t across(std::size_t index) { return index == 0 ? 1 : 0; }
+
+/// Calls visit(direction, number of neighbours seen before it) for the points of Lemma V.3 at a
+/// vertex whose edges leave in the directions of `star`.
+template <class Visit>
+void for_each_point(std::uint32_t star, Visit&& visit) {
+  if (star == 0) {
+    visit(std::size_t{0}, 0);
+    visit(std::size_t{1}, 1);
+    return;
+  }
+  const std::uint32_t first = (star & 255) - 1, others = star >> 8;
+  if (others == 0) visit(across(first / 2), 1);
+  if (others == (first ^ 1) + 1) visit(across(first / 2), 2);
+}
+
 PlacedSegment placed(Point low, std::int32_t steps) {
   return {static_cast<std::int32_t>(low.x), static_cast<std::int32_t>(low.y),
           static_cast<std::int32_t>(low.z), steps};
@@ -45,6 +62,10 @@ CountingProof::CountingProof(const Graph& graph, const Drawing& drawing, const G
   possible_ =
       graph.num_vertices() == drawing.num_vertices() && graph.num_edges() == drawing.num_edges();
   for (const Vector d : guarantee.directions) directions_.add(d);
+  promised_ids_ = 2 * directions_.indices();
+  for (const Vector d : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
+    if (directions_.indices() < 2) directions_.add(d);
+  }
   for (Share& share : shares_) share.possible = possible_;
   if (possible_) stars_.resize(drawing.num_vertices());
 }
@@ -55,7 +76,7 @@ bool CountingProof::take_edge(Share& share, Edge ends, const std::vector<Point>&
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (!is_near(points[i])) return false;
     const auto found = directions_.find(points[i] - points[i - 1]);
-    if (!found.known) return false;  // nor is a segment of length zero
+    if (!found.known || found.id >= promised_ids_) return false;  // nor is one of length zero
     const bool reversed = found.id % 2 != 0;
     ++share.numbers[found.id / 2];
     if (keeps_segments_) {
@@ -65,6 +86,8 @@ bool CountingProof::take_edge(Share& share, Edge ends, const std::vector<Point>&
       if (!leave(share, ends.u, found.id)) return false;
     } else if (!take_neighbours(share, before ^ 1u, found.id)) {
       return false;
+    } else if (found.id == before) {
+      take_point(share, across(found.id / 2), points[i - 1], 2);
     }
     before = found.id;
   }
@@ -112,12 +135,18 @@ bool CountingProof::angle_is_kept(Share& share, std::size_t id, std::size_t othe
   return seen > 0;
 }
 
-/// Two segments that leave their common end in these directions.
+/// Two segments that leave their common end in these directions; in the same one they overlap.
 bool CountingProof::take_neighbours(Share& share, std::size_t id, std::size_t other) const {
-  const bool is_parallel = id / 2 == other / 2;
-  share.touching_neighbours += is_parallel;
-  share.crossing_neighbours += !is_parallel;
-  return angle_is_kept(share, id, other);
+  share.crossing_neighbours += id / 2 != other / 2;
+  return id != other && angle_is_kept(share, id, other);
+}
+
+/// A point of Lemma V.3, and the number of others that end there.
+void CountingProof::take_point(Share& share, std::size_t direction, Point p,
+                               std::size_t neighbours) const {
+  share.crossing_neighbours += neighbours;
+  ++share.numbers[direction];
+  if (keeps_segments_) share.segments[direction].add(placed(p, 0));
 }
 
 bool CountingProof::take_star(Share& share, std::uint32_t star) const {
@@ -129,20 +158,16 @@ bool CountingProof::take_star(Share& share, std::uint32_t star) const {
   return true;
 }
 
-/// Angles and neighbours at the vertices begin, ..., end - 1. A vertex without edges becomes a
-/// segment of length zero: it is counted as a meeting wherever it touches anything, and is no
-/// neighbour.
+/// Angles, neighbours and points at the vertices begin, ..., end - 1.
 bool CountingProof::take_vertices(Share& share, Vertex begin, Vertex end) {
   for (Vertex v = begin; v < end; ++v) {
     const Point p = drawing_.vertex(v);
     if (guarantee_.vertices_in_plane && p.z != 0) return false;
-    if (stars_[v] == 0) {
-      if (!is_near(p)) return false;
-      ++share.numbers[0];
-      if (keeps_segments_) share.segments[0].add(placed(p, 0));
-    } else if (!take_star(share, stars_[v])) {
-      return false;
-    }
+    if (stars_[v] == 0 && !is_near(p)) return false;
+    if (!take_star(share, stars_[v])) return false;
+    for_each_point(stars_[v], [&](std::size_t direction, std::size_t neighbours) {
+      take_point(share, direction, p, neighbours);
+    });
   }
   return true;
 }
@@ -160,7 +185,6 @@ void CountingProof::take_all_vertices() {
 bool CountingProof::collect_shares() {
   for (const Share& share : shares_) {
     counts_.crossing_neighbours += share.crossing_neighbours;
-    counts_.touching_neighbours += share.touching_neighbours;
   }
   return std::all_of(shares_.begin(), shares_.end(), [](const Share& s) { return s.possible; });
 }
@@ -169,17 +193,6 @@ std::uint64_t CountingProof::number(std::size_t direction) const {
   std::uint64_t sum = 0;
   for (const Share& share : shares_) sum += share.numbers[direction];
   return sum;
-}
-
-/// Returns those that segments have, and so many others that they are two.
-std::vector<std::size_t> CountingProof::directions_to_count() const {
-  std::vector<std::size_t> used;
-  std::vector<std::size_t> others;
-  for (std::size_t i = 0; i < directions_.indices(); ++i) {
-    (number(i) > 0 ? used : others).push_back(i);
-  }
-  for (std::size_t i = 0; used.size() < 2; ++i) used.push_back(others[i]);
-  return used;
 }
 
 /// Returns how many windows a family of so many records is counted in, so that the threads' records
@@ -197,35 +210,25 @@ std::uint32_t CountingProof::windows(std::uint64_t records) const {
       std::clamp<std::uint64_t>((records + room_of_thread - 1) / room_of_thread, 1, kMostWindows));
 }
 
-/// The lines of every direction are looked at in one of its families.
 bool CountingProof::plan_tasks(std::int64_t largest, std::vector<Task>& tasks) const {
-  const std::vector<std::size_t> directions = directions_to_count();
-  const std::size_t k = directions.size();
-  for (std::size_t i = 0; i < k; ++i) {
-    for (std::size_t j = i + 1; j < k; ++j) {
-      const PlaneFamily family(directions_, directions[i], directions[j]);
+  for (std::size_t i = 0; i < directions_.indices(); ++i) {
+    for (std::size_t j = i + 1; j < directions_.indices(); ++j) {
+      const std::uint64_t rows = number(i), columns = number(j);
+      if (rows == 0 || columns == 0) continue;
+      const PlaneFamily family(directions_, i, j);
       if (!family.fits(largest)) return false;
-      const std::uint64_t rows = number(directions[i]);
-      const std::uint64_t columns = number(directions[j]);
-      const bool is_pair = i % 2 == 0 && j == i + 1;
-      const std::array<bool, 2> lines{
-          is_pair && rows > 0, (is_pair || (k % 2 != 0 && i == 0 && j == k - 1)) && columns > 0};
-      if ((rows == 0 || columns == 0) && !lines[0] && !lines[1]) continue;
       const std::uint32_t count = windows(rows + columns);
-      for (std::uint32_t w = 0; w < count; ++w) {
-        tasks.push_back({family, {directions[i], directions[j]}, lines, {w, count}});
-      }
+      for (std::uint32_t w = 0; w < count; ++w) tasks.push_back({family, {i, j}, {w, count}});
     }
   }
   return true;
 }
 
 void CountingProof::add_stored(const Task& task, const PlaneMeetings::Intake& intake) const {
-  const PlaneMeetings::Intake local = intake;
   for (const Share& share : shares_) {
     for (std::size_t side = 0; side < 2; ++side) {
       share.segments[task.directions[side]].for_each_part(
-          [&](std::span<const PlacedSegment> part) { local.add(part, side); });
+          [&](std::span<const PlacedSegment> part) { intake.add(part, side); });
     }
   }
 }
@@ -238,28 +241,32 @@ void CountingProof::add_computed(const Task& task, const PlaneMeetings::Intake& 
   const auto pass_on = [&](std::size_t side) {
     intake.add(std::span(waiting[side]).first(std::exchange(count[side], 0)), side);
   };
-  const auto add = [&](std::size_t side, PlacedSegment segment) {
+  const auto add = [&](std::size_t direction, PlacedSegment segment) {
+    if (direction != first && direction != second) return;
+    const std::size_t side = direction == second;
     waiting[side][count[side]++] = segment;
     if (count[side] == waiting[side].size()) pass_on(side);
   };
   for_each_polyline(drawing_, [&](EdgeId, const std::vector<Point>& points) {
+    std::size_t before = kIds;
     for (std::size_t k = 1; k < points.size(); ++k) {
       const auto found = directions_.find(points[k] - points[k - 1]);
-      const std::size_t direction = found.id / 2;
-      if (direction != first && direction != second) continue;
-      add(direction == second, placed(points[found.id % 2 != 0 ? k : k - 1], found.steps));
+      add(found.id / 2, placed(points[found.id % 2 != 0 ? k : k - 1], found.steps));
+      if (found.id == before) add(across(before / 2), placed(points[k - 1], 0));
+      before = found.id;
     }
   });
-  for (std::size_t v = 0; first == 0 && v < stars_.size(); ++v) {
-    if (stars_[v] == 0) add(0, placed(drawing_.vertex(static_cast<Vertex>(v)), 0));
+  for (Vertex v = 0; std::min(first, second) < 2 && v < stars_.size(); ++v) {
+    for_each_point(stars_[v], [&](std::size_t direction, std::size_t) {
+      add(direction, placed(drawing_.vertex(v), 0));
+    });
   }
   for (const std::size_t side : {0u, 1u}) pass_on(side);
 }
 
-MeetingCounts CountingProof::count(const Task& task, PlaneMeetings& meetings) const {
+std::uint64_t CountingProof::count(const Task& task, PlaneMeetings& meetings) const {
   const std::uint64_t records = number(task.directions[0]) + number(task.directions[1]);
-  const auto intake =
-      meetings.begin(task.family, task.window, records / task.window.count, task.lines);
+  const auto intake = meetings.begin(task.family, task.window, records / task.window.count);
   keeps_segments_ ? add_stored(task, intake) : add_computed(task, intake);
   return meetings.finish();
 }
@@ -270,11 +277,11 @@ bool CountingProof::take_families(std::int64_t largest) {
   const std::size_t threads = shares_.size();
   std::vector<PlaneMeetings> meetings;
   for (std::size_t t = 0; t < threads; ++t) meetings.emplace_back(sizes_);
-  std::vector<MeetingCounts> found(threads);
+  std::vector<std::uint64_t> found(threads);
   for_each_in_threads(sizes_.threads, tasks.size(), [&](std::uint32_t thread, std::size_t i) {
     found[thread] += count(tasks[i], meetings[thread]);
   });
-  for (const MeetingCounts& part : found) counts_.found += part;
+  for (const std::uint64_t part : found) counts_.found.crossing += part;
   return true;
 }
 
@@ -283,10 +290,6 @@ bool CountingProof::holds(const DrawingSummary& summary) {
   Findings findings(0);
   check_graph(graph_, drawing_, findings);
   if (!findings.empty()) return false;
-  // Two directions at least, so that there is a family that looks at the lines of each.
-  for (const Vector d : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
-    if (directions_.indices() < 2) directions_.add(d);
-  }
   for (Share& share : shares_) share.possible = leave_all(share) && share.possible;
   take_all_vertices();
   return collect_shares() && take_families(largest_coordinate(summary.box)) && counts_.agree();

@@ -28,9 +28,9 @@ namespace ar3d::verify {
 /// Several threads may pass over the edges, and count in several windows at a time. The verdict and
 /// all counts are the same for any number of them.
 ///
-/// Memory: 4 bytes per vertex; 16 bytes per segment and up to 10 more for the records of windows at
-/// a time; with a limit 16 for each record of these windows, which the limit holds unless one plane
-/// passes it.
+/// Memory: 4 bytes per vertex; 16 bytes per segment and per point of Lemma V.3 and up to 10 more for
+/// the records of windows at a time; with a limit 16 for each record of these windows, which the
+/// limit holds unless one plane passes it.
 class CountingProof {
  public:
   CountingProof(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
@@ -59,16 +59,14 @@ class CountingProof {
     std::array<std::uint64_t, SignedDirections::kMaxIndices> numbers{};  ///< of segments
     std::array<std::array<std::int8_t, kIds>, kIds> angles{};  ///< 1: right, -1: wrong, 0: not seen
     std::uint64_t crossing_neighbours = 0;
-    std::uint64_t touching_neighbours = 0;
     /// Vertices and ids, of which the first `left` are not in stars_ yet.
     std::array<std::pair<Vertex, std::uint8_t>, 64> leaving;
     std::size_t left = 0;
   };
-  /// Two directions, what to count, and in which planes.
+  /// Two directions, and in which planes to count.
   struct Task {
     PlaneFamily family;
     std::array<std::size_t, 2> directions;
-    std::array<bool, 2> lines;  ///< of rows, of columns
     PlaneWindow window;
   };
 
@@ -78,16 +76,16 @@ class CountingProof {
   bool take_leaving(Vertex v, std::uint8_t id);
   bool angle_is_kept(Share& share, std::size_t id, std::size_t other) const;
   bool take_neighbours(Share& share, std::size_t id, std::size_t other) const;
+  void take_point(Share& share, std::size_t direction, Point p, std::size_t neighbours) const;
   bool take_vertices(Share& share, Vertex begin, Vertex end);
   void take_all_vertices();
   bool take_star(Share& share, std::uint32_t star) const;
   bool collect_shares();
-  std::vector<std::size_t> directions_to_count() const;
   std::uint64_t number(std::size_t direction) const;
   std::uint32_t windows(std::uint64_t records) const;
   bool plan_tasks(std::int64_t largest, std::vector<Task>& tasks) const;
   bool take_families(std::int64_t largest);
-  MeetingCounts count(const Task& task, PlaneMeetings& meetings) const;
+  std::uint64_t count(const Task& task, PlaneMeetings& meetings) const;
   void add_stored(const Task& task, const PlaneMeetings::Intake& intake) const;
   void add_computed(const Task& task, const PlaneMeetings::Intake& intake) const;
 
@@ -96,9 +94,10 @@ class CountingProof {
   const Guarantee& guarantee_;
   CountingSizes sizes_;
   bool possible_;
-  const bool keeps_segments_;  ///< false: there are too many, they are computed for each window
-  SignedDirections directions_;
-  std::vector<Share> shares_;  ///< of the threads
+  const bool keeps_segments_;     ///< false: there are too many, they are computed for each window
+  SignedDirections directions_;   ///< two at least
+  std::size_t promised_ids_ = 0;  ///< of the guarantee's directions
+  std::vector<Share> shares_;     ///< of the threads
   /// Holds of each vertex the directions in which edges leave it: up to four bytes, id + 1 each.
   std::vector<std::uint32_t> stars_;
   CountedMeetings counts_;

@@ -23,60 +23,40 @@ std::span<const PlaneRecord> plane_from(const std::vector<PlaneRecord>& records,
 
 }  // namespace
 
-MeetingCounts CrowdedPlanes::count(Records rows, Records columns, std::array<bool, 2> lines) {
-  counts_ = {};
-  sort_records(rows, lines[0], rows_);
-  sort_records(columns, lines[1], columns_);
-  if (lines[0]) count_lines(rows_);
-  if (lines[1]) count_lines(columns_);
+std::uint64_t CrowdedPlanes::count(Records rows, Records columns) {
+  std::uint64_t crossing = 0;
+  sort_records(rows, rows_);
+  sort_records(columns, columns_);
   for (std::size_t r = 0, c = 0; r < rows_.size() && c < columns_.size();) {
     const Records in_row_plane = plane_from(rows_, r);
     const Records in_column_plane = plane_from(columns_, c);
     const std::uint32_t plane = in_row_plane[0].plane;
     const std::uint32_t other = in_column_plane[0].plane;
-    if (plane == other) count_plane(in_row_plane, in_column_plane);
+    if (plane == other) crossing += count_plane(in_row_plane, in_column_plane);
     if (plane <= other) r += in_row_plane.size();
     if (other <= plane) c += in_column_plane.size();
   }
-  return counts_;
+  return crossing;
 }
 
-/// By plane, then across, then along if `along`: radix sorts from the last key to the first.
-void CrowdedPlanes::sort_records(Records from, bool along, std::vector<PlaneRecord>& to) {
+/// By plane, then across: radix sorts from the last key to the first.
+void CrowdedPlanes::sort_records(Records from, std::vector<PlaneRecord>& to) {
   to.clear();
   if (from.empty()) return;
-  PlaneRecord least = from[0];
+  std::int32_t least = from[0].at;
   bool one_plane = true;
   for (const PlaneRecord& r : from) {
     one_plane &= r.plane == from[0].plane;
-    least.at = std::min(least.at, r.at);
-    least.low = std::min(least.low, r.low);
+    least = std::min(least, r.at);
   }
   order_.clear();
-  for (std::uint32_t i = 0; i < from.size(); ++i) {
-    order_.push_back({along ? key_of(from[i].low, least.low) : key_of(from[i].at, least.at), i});
-  }
+  for (std::uint32_t i = 0; i < from.size(); ++i) order_.push_back({key_of(from[i].at, least), i});
   sort_by_key(order_, buffer_);
-  if (along) {
-    for (ShortKeyed& item : order_) item.key = key_of(from[item.item].at, least.at);
-    sort_by_key(order_, buffer_);
-  }
   if (!one_plane) {
     for (ShortKeyed& item : order_) item.key = from[item.item].plane;
     sort_by_key(order_, buffer_);
   }
   for (const ShortKeyed& item : order_) to.push_back(from[item.item]);
-}
-
-/// On a line without overlaps only consecutive segments can touch.
-void CrowdedPlanes::count_lines(const std::vector<PlaneRecord>& records) {
-  for (std::size_t i = 1; i < records.size(); ++i) {
-    const PlaneRecord& a = records[i - 1];
-    const PlaneRecord& b = records[i];
-    if (a.plane != b.plane || a.at != b.at) continue;
-    counts_.touching += a.high() == b.low;
-    counts_.overlap |= a.high() > b.low;
-  }
 }
 
 void CrowdedPlanes::order_ends(Records rows) {
@@ -127,7 +107,8 @@ void CrowdedPlanes::change(std::size_t rank, std::int32_t by) {
 }
 
 /// Both in order across.
-void CrowdedPlanes::count_plane(Records rows, Records columns) {
+std::uint64_t CrowdedPlanes::count_plane(Records rows, Records columns) {
+  std::uint64_t crossing = 0;
   order_ends(rows);
   rank_places(rows);
   tree_.assign(rows.size() + 1, 0);
@@ -143,8 +124,9 @@ void CrowdedPlanes::count_plane(Records rows, Records columns) {
     if (begun == ended) continue;
     const std::size_t first = rank(column.low);
     const std::size_t last = rank(std::int64_t{column.high()} + 1);
-    if (first < last) counts_.crossing += active_before(last) - active_before(first);
+    if (first < last) crossing += active_before(last) - active_before(first);
   }
+  return crossing;
 }
 
 }  // namespace ar3d::verify

@@ -1,7 +1,7 @@
 // Two segments that meet and are not parallel lie in a plane of their two directions. The segments
 // of two directions become records of 16 bytes, are partitioned by plane into buckets that fit the
 // second-level cache, and compared there: rows sorted by plane into bins of one or two, columns as
-// they come. Planes with many segments go to CrowdedPlanes (Steps V.4 to V.8 of docs/verify.md). A
+// they come. Planes with many segments go to CrowdedPlanes (Steps V.4 to V.7 of docs/verify.md). A
 // record is written once or twice and read twice or three times, in order or within the cache.
 // Dropped: sorted columns, several windows for every pair of directions, and cross products to find
 // a direction. They took 1,039 instructions per segment of `diamond` in place of 678 (n = 10^5).
@@ -57,14 +57,6 @@ constexpr bool kHasAvx2 = false;
 constexpr auto& met_avx2 = met;
 #endif
 
-/// Two of one direction, if they lie on a line.
-void count_on_line(const PlaneRecord& a, const PlaneRecord& b, MeetingCounts& counts) {
-  if (a.plane != b.plane || a.at != b.at || a.high() < b.low || b.high() < a.low) return;
-  const bool touch = a.high() == b.low || b.high() == a.low;
-  counts.touching += touch;
-  counts.overlap |= !touch;
-}
-
 }  // namespace
 
 MeetingCounts& MeetingCounts::operator+=(const MeetingCounts& other) {
@@ -77,20 +69,22 @@ MeetingCounts& MeetingCounts::operator+=(const MeetingCounts& other) {
 PlaneFamily::PlaneFamily(const SignedDirections& directions, std::size_t i, std::size_t j) {
   const Vector d[2] = {directions[i], directions[j]};
   normal_ = plane_normal(d[0], d[1]);
-  const auto functional = [](Vector f, std::uint32_t factor) {
-    return Functional{static_cast<std::uint32_t>(f.x) * factor,
-                      static_cast<std::uint32_t>(f.y) * factor,
-                      static_cast<std::uint32_t>(f.z) * factor};
-  };
-  plane_ = functional(normal_, 0x9E3779B1);  // odd, so that it is one to one modulo 2^32
   const std::size_t axis = leading_axis(normal_);
   for (std::size_t side = 0; side < 2; ++side) {
     // Constant along d[side]; along the other direction it is a component of the normal, not zero.
     across_[side] = times_unit(d[side], axis);
     const std::int64_t speed = product(across_[side], d[1 - side]);
     if (speed < 0) across_[side] = -across_[side];
-    at_[side] = functional(across_[side], 1);
-    speed_[1 - side] = static_cast<std::uint32_t>(std::abs(speed));
+    sides_[1 - side][3] = Numbers{0, 0, 0, static_cast<std::uint32_t>(std::abs(speed))};
+  }
+  constexpr std::uint32_t kSpread = 0x9E3779B1;  // odd, so that it is one to one modulo 2^32
+  const auto narrow = [](std::int64_t c) { return static_cast<std::uint32_t>(c); };
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Vector at = across_[side], low = across_[1 - side];
+    for (std::size_t c = 0; c < 3; ++c) {
+      sides_[side][c] = Numbers{kSpread * narrow(component(normal_, c)), narrow(component(at, c)),
+                                narrow(component(low, c)), 0};
+    }
   }
 }
 
@@ -104,36 +98,71 @@ bool PlaneFamily::fits(std::int64_t largest) const {
   return narrow(normal_) && narrow(across_[0]) && narrow(across_[1]);
 }
 
+/// In a loop that keeps everything it knows of the window in registers.
+__attribute__((always_inline)) inline void PlaneMeetings::Intake::add_all(
+    std::span<const PlacedSegment> segments, std::size_t side) const {
+  const PlaneFamily family = family_;
+  RecordBuckets& buckets = *buckets_;
+  const std::uint32_t windows = window_.count;
+  for (const PlacedSegment& segment : segments) {
+    const PlaneRecord record = family.record(segment, side);
+    buckets.add(2 * (std::uint64_t{record.plane * windows} >> shift_) + side, record);
+  }
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2")))
+#endif
+void PlaneMeetings::Intake::add_all_avx2(std::span<const PlacedSegment> segments,
+                                         std::size_t side) const {
+  add_all(segments, side);
+}
+
+/// Which segments are in the window is random, so no branch decides it.
+void PlaneMeetings::Intake::add(std::span<const PlacedSegment> segments, std::size_t side) const {
+  const auto add_taken = [&](std::span<const PlacedSegment> taken) {
+    kHasAvx2 ? add_all_avx2(taken, side) : add_all(taken, side);
+  };
+  if (window_.count == 1) return add_taken(segments);
+  std::array<PlacedSegment, 64> taken;
+  while (!segments.empty()) {
+    const std::size_t size = std::min(taken.size(), segments.size());
+    std::size_t count = 0;
+    for (const PlacedSegment& segment : segments.first(size)) {
+      taken[count] = segment;
+      count += scaled(family_.plane_of(segment)) >> 32 == window_.number;
+    }
+    add_taken(std::span(taken).first(count));
+    segments = segments.subspan(size);
+  }
+}
+
 PlaneMeetings::Intake PlaneMeetings::begin(const PlaneFamily& family, PlaneWindow window,
-                                           std::uint64_t expected, std::array<bool, 2> lines) {
+                                           std::uint64_t expected) {
   constexpr unsigned kMostBits = 11;  // more streams at a time than the memory system follows
   window_ = window;
-  lines_ = lines;
-  counts_ = {};
   bucket_bits_ =
       std::min(kMostBits, static_cast<unsigned>(std::bit_width(expected / sizes_.bucket)));
   buckets_.reset(std::size_t{2} << bucket_bits_);
   return {family, window, 32 - bucket_bits_, buckets_};
 }
 
-MeetingCounts PlaneMeetings::finish() {
-  for (std::size_t b = 0; b < buckets_.size(); b += 2) count_bucket(b);
-  return counts_;
+std::uint64_t PlaneMeetings::finish() {
+  std::uint64_t crossing = 0;
+  for (std::size_t b = 0; b < buckets_.size(); b += 2) crossing += count_bucket(b);
+  return crossing;
 }
 
 /// Rows are in this bucket, columns in the next one.
-void PlaneMeetings::count_bucket(std::size_t bucket) {
+std::uint64_t PlaneMeetings::count_bucket(std::size_t bucket) {
   constexpr std::size_t kMostBins = std::size_t{1} << 15;
   const std::size_t size = std::max(buckets_.size_of(bucket), buckets_.size_of(bucket + 1));
   bin_shift_ =
       33 - static_cast<unsigned>(std::bit_width(std::clamp<std::size_t>(size, 2, kMostBins)));
   into_bins(bucket, bins_[0]);
-  const bool is_crowded = bins_[0].largest > sizes_.crowded;
-  if (is_crowded || lines_[1]) into_bins(bucket + 1, bins_[1]);
-  is_crowded ? count_crowded() : count_crossings(bucket + 1);
-  for (const std::size_t side : {0u, 1u}) {
-    if (lines_[side]) count_lines(bins_[side]);
-  }
+  if (bins_[0].largest <= sizes_.crowded) return count_crossings(bucket + 1);
+  into_bins(bucket + 1, bins_[1]);
+  return count_crowded();
 }
 
 /// Behind the last one stand two that meet nothing.
@@ -157,7 +186,7 @@ void PlaneMeetings::into_bins(std::size_t bucket, BucketBins& bins) const {
 
 /// Records of different bins do not meet. So two rows are always compared, wherever the bin ends:
 /// few bins have more, and no branch waits for their number.
-void PlaneMeetings::count_crossings(std::size_t bucket) {
+std::uint64_t PlaneMeetings::count_crossings(std::size_t bucket) const {
   const auto bin_of = this->bin_of();
   const PlaneRecord* const records = bins_[0].records.data();
   const std::uint32_t* const bounds = bins_[0].bounds.data();
@@ -173,7 +202,7 @@ void PlaneMeetings::count_crossings(std::size_t bucket) {
       crossing += meet(*row, column);
     }
   });
-  counts_.crossing += crossing;
+  return crossing;
 }
 
 void PlaneMeetings::RecordLists::take(Records records) {
@@ -191,32 +220,20 @@ std::uint64_t PlaneMeetings::RecordLists::met_by(const PlaneRecord& row) const {
                                      planes.size(), row);
 }
 
-void PlaneMeetings::count_crowded() {
+std::uint64_t PlaneMeetings::count_crowded() {
   constexpr std::size_t kSwept = 5;  // times `crowded` comparisons take as long as a sweep
+  std::uint64_t crossing = 0;
   for (std::size_t bin = 0; bin < bins_[0].size(); ++bin) {
     const Records rows = bins_[0][bin], columns = bins_[1][bin];
     if (rows.empty() || columns.empty()) continue;
     if (rows.size() * columns.size() > kSwept * sizes_.crowded * (rows.size() + columns.size())) {
-      counts_ += crowded_.count(rows, columns, {});
+      crossing += crowded_.count(rows, columns);
       continue;
     }
     columns_.take(columns);
-    for (const PlaneRecord& row : rows) counts_.crossing += columns_.met_by(row);
+    for (const PlaneRecord& row : rows) crossing += columns_.met_by(row);
   }
-}
-
-/// All pairs of one direction that lie on a line.
-void PlaneMeetings::count_lines(const BucketBins& bins) {
-  for (std::size_t bin = 0; bin < bins.size(); ++bin) {
-    const Records records = bins[bin];
-    if (records.size() > sizes_.crowded) {
-      counts_ += crowded_.count(records, {}, {true, false});
-      continue;
-    }
-    for (std::size_t i = 1; i < records.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) count_on_line(records[i], records[j], counts_);
-    }
-  }
+  return crossing;
 }
 
 }  // namespace ar3d::verify

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,21 +19,18 @@ namespace ar3d::verify {
 class CrowdedPlanes {
  public:
   using Records = std::span<const PlaneRecord>;
-  /// @param lines  as of PlaneMeetings::begin().
-  MeetingCounts count(Records rows, Records columns, std::array<bool, 2> lines);
+  std::uint64_t count(Records rows, Records columns);
 
  private:
-  void sort_records(Records from, bool along, std::vector<PlaneRecord>& to);
-  void count_lines(const std::vector<PlaneRecord>& records);
-  void count_plane(Records rows, Records columns);
+  void sort_records(Records from, std::vector<PlaneRecord>& to);
+  std::uint64_t count_plane(Records rows, Records columns);
   void order_ends(Records rows);
   void rank_places(Records rows);
   std::size_t rank(std::int64_t value) const;
   std::uint64_t active_before(std::size_t rank) const;
   void change(std::size_t rank, std::int32_t by);
 
-  MeetingCounts counts_;
-  std::vector<PlaneRecord> rows_;     ///< by plane, across, and along for lines
+  std::vector<PlaneRecord> rows_;     ///< by plane, then across
   std::vector<PlaneRecord> columns_;  ///< the same
   std::vector<std::int32_t> places_;  ///< of the plane's rows, ascending
   std::vector<std::uint32_t> table_;  ///< entry (place - first place) >> shift_: where to begin
@@ -66,67 +64,48 @@ class PlaneFamily {
   /// True if 32 bits hold every value of its functionals for coordinates up to `largest`.
   bool fits(std::int64_t largest) const;
   /// A number of the segment's plane that differs for all planes, spread over 32 bits.
-  std::uint32_t plane_of(const PlacedSegment& s) const { return value(plane_, s); }
+  std::uint32_t plane_of(const PlacedSegment& s) const {
+    const auto& [of_x, of_y, of_z, of_steps] = sides_[0];
+    return of_x[0] * static_cast<std::uint32_t>(s.x) + of_y[0] * static_cast<std::uint32_t>(s.y) +
+           of_z[0] * static_cast<std::uint32_t>(s.z);
+  }
   /// @param side  0 for a row, of direction i; 1 for a column, of direction j.
   PlaneRecord record(const PlacedSegment& s, std::size_t side) const {
-    return {plane_of(s), static_cast<std::int32_t>(value(at_[side], s)),
-            static_cast<std::int32_t>(value(at_[1 - side], s)),
-            static_cast<std::uint32_t>(s.steps) * speed_[side]};
+    const auto& [of_x, of_y, of_z, of_steps] = sides_[side];
+    return std::bit_cast<PlaneRecord>(
+        of_x * static_cast<std::uint32_t>(s.x) + of_y * static_cast<std::uint32_t>(s.y) +
+        of_z * static_cast<std::uint32_t>(s.z) + of_steps * static_cast<std::uint32_t>(s.steps));
   }
 
  private:
-  /// Modulo 2^32.
-  using Functional = std::array<std::uint32_t, 3>;
-  static std::uint32_t value(const Functional& f, const PlacedSegment& s) {
-    return f[0] * static_cast<std::uint32_t>(s.x) + f[1] * static_cast<std::uint32_t>(s.y) +
-           f[2] * static_cast<std::uint32_t>(s.z);
-  }
+  /// The numbers of a record, modulo 2^32.
+  using Numbers __attribute__((vector_size(16))) = std::uint32_t;
+  static_assert(sizeof(Numbers) == sizeof(PlaneRecord));
 
   Vector normal_;
   std::array<Vector, 2> across_;  ///< [side] is constant along that side's direction
-  Functional plane_{};
-  std::array<Functional, 2> at_{};
-  std::array<std::uint32_t, 2> speed_{};  ///< how far a step of a side runs across the other; > 0
+  /// What one of x, y, z and a step adds to a side's record. A step runs across the other side.
+  std::array<std::array<Numbers, 4>, 2> sides_{};
 };
 
 /// Counts in one window of planes after the other; keeps its memory: 16 bytes per record.
 class PlaneMeetings {
  public:
-  /// Takes segments of the window at hand. To be kept in a local variable: then everything that it
-  /// knows of the window stays in registers.
+  /// Takes segments of the window at hand.
   class Intake {
    public:
     /// Segments of a side's direction (0: rows, 1: columns), of which those are taken whose planes
-    /// are in the window. Which ones is random, so no branch decides it.
-    void add(std::span<const PlacedSegment> segments, std::size_t side) const {
-      if (window_.count == 1) {
-        for (const PlacedSegment& segment : segments) add_taken(segment, side);
-        return;
-      }
-      constexpr std::size_t kBlock = 64;
-      std::array<std::uint8_t, kBlock> taken;
-      for (; !segments.empty(); segments = segments.subspan(std::min(kBlock, segments.size()))) {
-        const std::size_t size = std::min(kBlock, segments.size());
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < size; ++i) {
-          taken[count] = static_cast<std::uint8_t>(i);
-          count += scaled(family_.plane_of(segments[i])) >> 32 == window_.number;
-        }
-        for (std::size_t i = 0; i < count; ++i) add_taken(segments[taken[i]], side);
-      }
-    }
+    /// are in the window.
+    void add(std::span<const PlacedSegment> segments, std::size_t side) const;
 
    private:
     friend class PlaneMeetings;
     Intake(const PlaneFamily& family, PlaneWindow window, unsigned shift, RecordBuckets& buckets)
         : family_(family), window_(window), shift_(shift), buckets_(&buckets) {}
 
+    void add_all(std::span<const PlacedSegment> segments, std::size_t side) const;
+    void add_all_avx2(std::span<const PlacedSegment> segments, std::size_t side) const;
     std::uint64_t scaled(std::uint32_t plane) const { return std::uint64_t{plane} * window_.count; }
-    void add_taken(const PlacedSegment& s, std::size_t side) const {
-      const PlaneRecord record = family_.record(s, side);
-      const std::uint64_t place = scaled(record.plane) & 0xffffffff;
-      buckets_->add(2 * (place >> shift_) + side, record);
-    }
 
     PlaneFamily family_;
     PlaneWindow window_;
@@ -137,11 +116,9 @@ class PlaneMeetings {
   explicit PlaneMeetings(const CountingSizes& sizes) : sizes_(sizes) {}
 
   /// Begins with a window. @param expected  about how many records it will have.
-  /// @param lines  is it asked for rows, and for columns, which of them meet on their lines?
-  Intake begin(const PlaneFamily& family, PlaneWindow window, std::uint64_t expected,
-               std::array<bool, 2> lines);
-  /// All meetings of rows with columns, and those on the lines that are wanted.
-  MeetingCounts finish();
+  Intake begin(const PlaneFamily& family, PlaneWindow window, std::uint64_t expected);
+  /// The number of meetings of rows with columns.
+  std::uint64_t finish();
 
  private:
   using Records = std::span<const PlaneRecord>;
@@ -169,16 +146,13 @@ class PlaneMeetings {
       return record.plane * factor >> shift;
     };
   }
-  void count_bucket(std::size_t bucket);
+  std::uint64_t count_bucket(std::size_t bucket);
   void into_bins(std::size_t bucket, BucketBins& bins) const;
-  void count_crossings(std::size_t bucket);
-  void count_crowded();
-  void count_lines(const BucketBins& bins);
+  std::uint64_t count_crossings(std::size_t bucket) const;
+  std::uint64_t count_crowded();
 
   CountingSizes sizes_;
   PlaneWindow window_;
-  std::array<bool, 2> lines_{};
-  MeetingCounts counts_;
   unsigned bucket_bits_ = 0;
   unsigned bin_shift_ = 0;
   RecordBuckets buckets_;           ///< of rows and columns in turns
