@@ -152,7 +152,7 @@ Options options_of(const Settings& values) {
 /// A row of this folder; the guarantee is that of the fall-back, except for the bends of the largest
 /// option and the plane.
 Algorithm row_like(Algorithm fall_back, const char* name, const char* summary, const char* source,
-                   Drawing (*draw)(const Graph&, const Options&)) {
+                   Drawing (*draw)(const Graph&, const Options&), const PointClass& (*points)()) {
   Algorithm row;
   row.name = name;
   row.summary = summary;
@@ -166,6 +166,11 @@ Algorithm row_like(Algorithm fall_back, const char* name, const char* summary, c
   row.guarantee.bound.source = "docs/routed.md";
   row.guarantee.published = {};
   row.by_name_only = true;
+  row.space = [points](const Settings& values, std::uint64_t n) {
+    if (n > kMostRouted) return 1.0;
+    return static_cast<double>(
+        CostBox::bytes(points(), first_box(points(), options_of(values).bends, n)));
+  };
   row.options = {
       effort_option(kHighestEffort,
                     "0: the first legal box; 1: smaller boxes; 2: ten times as many"),
@@ -189,13 +194,13 @@ Drawing draw_120(const Graph& graph, const Options& options) {
 Algorithm row_109() {
   return row_like(diamond::row(), "routed",
                   "degree at most 4, at most 3 to 5 bends, all angles 109.47 degrees, small boxes",
-                  "Theorem 1", draw_109);
+                  "Theorem 1", draw_109, PointClass::body);
 }
 
 Algorithm row_120() {
   return row_like(grid::row(), "routed-120",
                   "degree at most 3, at most 3 to 5 bends, all angles 120 degrees, small boxes",
-                  "Theorem 3", draw_120);
+                  "Theorem 3", draw_120, PointClass::face);
 }
 
 }  // namespace ar3d::routed

@@ -40,20 +40,29 @@ struct RowCosts {
 };
 using CostModel = std::function<RowCosts(std::uint64_t n)>;
 
-// Times and bytes at the larger calibration size * (n / that size)^exponent.
-CostModel model_through(const RowCosts& small, const RowCosts& large) {
+// Times and bytes at the larger calibration size * (n / that size)^exponent. Where the choice names
+// a space, bytes grow as it, and times as n times its root: about as measured for routed drawings.
+CostModel model_through(const RowCosts& small, const RowCosts& large,
+                        const AlgorithmChoice& choice) {
   const auto exponent = [&](double RowCosts::*value) {
     if (large.n <= small.n || small.*value <= 0 || large.*value <= 0) return 1.0;
     return std::clamp(std::log(large.*value / (small.*value)) / std::log(large.n / small.n), 1.0,
                       2.5);
   };
-  return [large, of_row = exponent(&RowCosts::row_s), of_drawing = exponent(&RowCosts::draw_s),
+  return [=, of_row = exponent(&RowCosts::row_s), of_drawing = exponent(&RowCosts::draw_s),
           of_bytes = exponent(&RowCosts::bytes)](std::uint64_t wanted) {
-    const auto n = static_cast<double>(wanted);
-    const double ratio = std::max(n, 1.0) / std::max(large.n, 1.0);
-    return RowCosts{n, large.row_s * std::pow(ratio, of_row),
-                    large.draw_s * std::pow(ratio, of_drawing),
-                    std::max(0.0, large.bytes) * std::pow(ratio, of_bytes)};
+    const double ratio = std::max(static_cast<double>(wanted), 1.0) / std::max(large.n, 1.0);
+    double row = std::pow(ratio, of_row), drawing = std::pow(ratio, of_drawing);
+    double bytes = std::pow(ratio, of_bytes);
+    if (large.n > 0 && choice.algorithm->space) {
+      const auto& space = choice.algorithm->space;
+      bytes = space(choice.options, wanted) /
+              space(choice.options, static_cast<std::uint64_t>(large.n));
+      row = drawing = ratio * std::sqrt(bytes);
+      bytes = std::max(bytes, ratio);
+    }
+    return RowCosts{0, large.row_s * row, large.draw_s * drawing,
+                    std::max(0.0, large.bytes) * bytes};
   };
 }
 
@@ -129,7 +138,7 @@ CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std
                      const Budget& budget, std::uint64_t& calibration_n) {
   constexpr double kSlow_s = 0.3;  // such drawings are known from smaller ones
   // What a program costs is not known before.
-  if (run.choice.program) return model_through({}, {});
+  if (run.choice.program) return model_through({}, {}, {});
   const auto measured = [&](std::uint64_t size) {
     const RowCosts costs = measured_at(instance, run, size, budget);
     if (costs.row_s > 0) calibration_n = std::max(calibration_n, size);
@@ -138,15 +147,18 @@ CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std
   const auto smaller = [](std::uint64_t size) {
     return std::max<std::uint64_t>(1, size / kSizeRatio);
   };
+  const auto through = [&](const RowCosts& small, const RowCosts& large) {
+    return model_through(small, large, run.choice);
+  };
   const std::uint64_t size = calibration_size(largest);
   const RowCosts small = measured(smaller(size));
   const bool is_slow = small.row_s > kSlow_s;  // its exponents are larger at larger sizes
-  if (is_slow && largest > size) return model_through(small, measured(2 * smaller(size)));
-  if (is_slow) return model_through(measured(smaller(smaller(size))), small);
+  if (is_slow && largest > size) return through(small, measured(2 * smaller(size)));
+  if (is_slow) return through(measured(smaller(smaller(size))), small);
   const auto n_of = [&](std::uint64_t wanted) {
     return instance.choice.family->nearest_n(wanted, instance.choice.parameters);
   };
-  return model_through(small, n_of(size) == n_of(smaller(size)) ? small : measured(size));
+  return through(small, n_of(size) == n_of(smaller(size)) ? small : measured(size));
 }
 
 class Estimator {

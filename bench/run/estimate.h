@@ -24,8 +24,8 @@ struct CellEstimate {
 
 /// Holds what a study will cost, extrapolated from runs at small sizes on this machine: for each
 /// family and algorithm power laws through two sizes for the CPU time and the memory (exponents
-/// between 1 and 2.5). An estimate: expect it to be right within a factor of about three, and of
-/// six for routed drawings beyond 3000 vertices.
+/// between 1 and 2.5), or by the space that the algorithm names. An estimate: expect it to be right
+/// within a factor of about three.
 struct StudyEstimate {
   std::vector<CellEstimate> cells;  ///< in the plan's order
   std::size_t rows = 0;             ///< without the optional ones
