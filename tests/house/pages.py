@@ -436,10 +436,11 @@ def routed_growth():
 
 def routed_lines(growth=()):
     """Lines of the tables of results/reference/routed.md: volume over n^1.5 and CPU seconds, medians; exponents; points."""
-    runs = h5py.File(REFERENCE / "1.0.0-routed.h5")["runs"][:]
-    assert not runs["violations"].any() and (runs["status"] == b"ok").all()
+    runs, large = (h5py.File(REFERENCE / f"1.0.0-{name}.h5")["runs"][:] for name in ("routed", "routed-large"))
+    for made in (runs, large):
+        assert not made["violations"].any() and (made["status"] == b"ok").all()
 
-    def of(family, algorithm, options):
+    def of(family, algorithm, options, runs=runs):
         return runs[(runs["family"] == family.encode()) & (runs["algorithm"] == algorithm.encode())
                     & np.char.startswith(runs["options"], options.encode())]
 
@@ -465,6 +466,8 @@ def routed_lines(growth=()):
                   for b in (3, 5)]
         lines += [f"| {family}, {b} | {exponent(algorithm, f'effort=0;bends={b}', family, 'longest side')} | "
                   f"{exponent(algorithm, f'effort=0;bends={b}', family, 'volume')} |" for b in (3, 5) if growth]
+        by_bends = [(b, effort, of(family, algorithm, f"effort={effort};bends={b}", large)) for b in (3, 5) for effort in (0, 1)]
+        lines += [f"| {family}, {b}, {effort} | {cell(rows, 5000)} | {cell(rows, 10000)} |" for b, effort, rows in by_bends if len(rows)]
     for family in np.unique(runs["family"]):
         name = family.decode()
         if name not in settings and name != "named":
