@@ -94,6 +94,7 @@ void add_variables(std::vector<EnvironmentEntry>& entries) {
     const bool listed = std::any_of(std::begin(kPrefixes), std::end(kPrefixes),
                                     [&](std::string_view p) { return text.starts_with(p); });
     const std::size_t equals = text.find('=');
+    if (text == "GOMP_SPINCOUNT=20000") continue;  // what base/parallel.cpp sets
     if (!listed || equals == std::string_view::npos) continue;
     entries.push_back({std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))});
   }

@@ -32,6 +32,8 @@ for setting in OMP_NUM_THREADS=2 "OMP_NUM_THREADS=2 OMP_PROC_BIND=true" "OMP_NUM
 done
 OMP_DISPLAY_AFFINITY=true "$program" study run smoke -q --threads 2 -o two.h5 2>said >/dev/null
 [ "$(threads said)" = 2 ] || fail "rows are not shared by two threads"
+/usr/bin/python3 -c 'import h5py, sys; sys.exit(any(b"SPIN" in row["name"] for row in h5py.File("two.h5")["environments"]))' ||
+  fail "a study records how long threads spin, which older ones do not"
 OMP_THREAD_LIMIT=1 OMP_DISPLAY_AFFINITY=true "$program" study run smoke -q -o limited.h5 2>said >/dev/null
 [ "$(threads said)" = 0 ] || fail "OMP_THREAD_LIMIT is not honoured"
 OMP_THREAD_LIMIT=1 "$program" study run smoke -q --threads 2 -o none.h5 2>said && fail "two threads where one is allowed"
