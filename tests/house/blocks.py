@@ -30,6 +30,7 @@ NOT_RUN = {
     "build/release/bench/kernels/ar3d_precision": "takes more than a minute: tests/kernels/limits_test.py",
     "tools/precision-report": "takes three minutes: tests/kernels/limits_test.py",
     "./ar3d study run extremes-large": "takes ten minutes: tests/apps/extremes_test.cpp",
+    "./ar3d study run routed-large": "takes an hour; its rows: tests/house/pages.py",
     "./ar3d study run extremes-huge": "takes 17 minutes and 19 GB: tests/apps/extremes_test.cpp",
     "sudo apt-get install graphviz python3-igraph python3-pandas python3-tables": "installs packages",
 }
