@@ -135,7 +135,7 @@ bool ColumnProof::take_vertices() {
 
 bool ColumnProof::count_meetings() {
   const Columns columns(verticals_);
-  verticals_ = {};  // its memory
+  verticals_ = std::vector<VerticalSegment>();  // its memory; {} would keep it
   const auto touching = columns.touching();
   counts_.found.overlap = !touching;
   if (!touching) return false;

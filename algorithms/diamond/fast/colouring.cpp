@@ -133,7 +133,7 @@ TwoColouring colouring(const Graph& graph, const WalkSizes& sizes) {
   const bool all_linked = all_degrees_are_4_or_0(graph, sizes.threads);
   const TwoBitMarks directions = directions_of(records, all_linked, sizes);
   const TwoBitMarks reds = colours_of(records, all_linked, directions, sizes);
-  records = {};  // its memory, which the result takes
+  records = Records();  // its memory, which the result takes
   return edges_out(graph, directions, reds, sizes.threads);
 }
 
