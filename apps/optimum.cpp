@@ -189,8 +189,8 @@ class OptimumRun {
     }
     GraphAnswer answer{where, graph6_word(graph), {}, 0};
     const Stopwatch time;
-    Stopwatch since_told;
-    std::string solving;  // the formula, if it is to be told
+    Stopwatch since_printed;
+    std::string solving;  // the formula, if it is to be printed
     answer.found = find_smallest_box(
         graph, arguments_.question, solver_,
         {.volume_below = arguments_.volume_below,
@@ -199,9 +199,9 @@ class OptimumRun {
          .name = fmt::format("{}", number_),
          .should_stop =
              [&] {
-               if (!solving.empty() && since_told.seconds() >= 1) {
+               if (!solving.empty() && since_printed.seconds() >= 1) {
                  log(stderr, "{}\n", std::exchange(solving, ""));
-                 since_told = Stopwatch();
+                 since_printed = Stopwatch();
                }
                return is_interrupted() ||
                       (arguments_.seconds && time.seconds() > *arguments_.seconds);

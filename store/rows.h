@@ -28,7 +28,7 @@ class Rows {
   /// Rows of a results file, in its order. Memory: a few hundred rows. @throws InputError as
   /// RunReader.
   explicit Rows(const std::string& results);
-  /// Rows of files, journals and results files told apart by their content, in the order of their
+  /// Rows of files, journals and results files known by their content, in the order of their
   /// keys: the order of the files does not matter. Memory: about 60 bytes per row, 1 MB per file.
   /// @throws InputError naming the file if it cannot be read, is damaged, or is of another
   /// specification or source than the files before; naming files and column if a row is there twice

@@ -1,4 +1,4 @@
-// A history told: in words where it changed, commit by commit, the last one first; its tables.
+// A history in words: where it changed, commit by commit, the last one first; its tables.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -55,7 +55,7 @@ bool is_own(const fs::path& file, const std::vector<std::string>& own_files) {
   });
 }
 
-// What any study has beside its graphs, told by name and content: a journal, results, a report,
+// What any study has beside its graphs, known by name and content: a journal, results, a report,
 // drawings, or an unfinished or cut one of them. Of one that is empty or gone the name has to do.
 bool is_of_a_study(const std::string& file) {
   constexpr std::pair<std::string_view, std::string_view> kKinds[] = {

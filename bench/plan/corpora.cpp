@@ -1,4 +1,4 @@
-// Opens the files of a study whose graphs are instances. Each file is told apart by the hash of its
+// Opens the files of a study whose graphs are instances. Each file is known by the hash of its
 // graphs, so that a study that goes on never takes other graphs under an old name.
 #include <fmt/format.h>
 
@@ -193,7 +193,7 @@ class CorpusReader {
     return collected_files(record, entry, study_);
   }
 
-  // Rows are told apart by the graphs' hash and, for people, by the name: one must give the other.
+  // Rows differ by the graphs' hash and, for people, by the name: one must give the other.
   // A sample is no part of it, so that a larger one has the rows of the smaller.
   void require_one_of_a_kind(const GraphFileRecord& record, const GraphsEntry& entry) {
     const auto refuse = [&](const std::string& problem) {

@@ -117,7 +117,7 @@ class StudySession::Progress {
   std::size_t not_ok_ = 0;
   double work_ = 0;
   const Stopwatch time_;
-  double last_s_ = 0;  // when it was last told
+  double last_s_ = 0;  // when it was last printed
 };
 
 int workers_for(int asked, int ranks) {

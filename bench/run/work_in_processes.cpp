@@ -126,7 +126,7 @@ class WorkerSlot {
     }
   }
 
-  // Reads what the worker has told, without waiting; true if the row is done, one way or the other.
+  // Reads what the worker wrote, without waiting; true if the row is done, one way or the other.
   bool look() {
     for (;;) {
       while (received_.size() < row_message_size()) {

@@ -39,7 +39,7 @@ void ListGraph::add(const ListRow& row, const ListField& a, const ListField& b) 
   look_at_columns(row, a, b);
   if (!is_named_ && !(is_whole_number(a.text) && is_whole_number(b.text))) {
     if (rows_ == 0 && !known_n_ &&
-        !shape_->heading) {  // kept until the other rows have told what it is
+        !shape_->heading) {  // kept until the other rows have shown what it is
       first_ = First{row, input_->line(), 0, 0, {}, {}};
       rows_ = 1;
       return require_names(a, b);
