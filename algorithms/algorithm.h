@@ -23,8 +23,7 @@ struct Algorithm {
   std::vector<SettingSpec> options;
   std::function<Drawing(const Graph&, const Settings&)> draw;  ///< with complete values: draw()
   bool by_name_only = false;  ///< "all" in a study does not mean it
-  /// The space for n vertices in which it searches, for estimates; empty if time and memory grow as
-  /// powers of n.
+  /// The space that it searches for n vertices; empty if its costs grow as powers of n.
   std::function<double(const Settings&, std::uint64_t n)> space = {};
 };
 

@@ -111,9 +111,8 @@ void Negotiation::search_trial(Trial& trial, RouteSearch& search) {
   std::vector<End> neighbours;
   for (const HalfEdge& half : edges) neighbours.push_back(end(half.to));
   trial.searches += edges.size();
-  const Spot now = now_.layout.at[trial.vertex];
-  if (search.find_place(box_, now, neighbours, frames_, points_.is_body() ? 6 : 4, trial.limit,
-                        random, trial) >= trial.limit)
+  if (search.find_place(box_, now_.layout.at[trial.vertex], neighbours, frames_,
+                        points_.is_body() ? 6 : 4, trial.limit, random, trial) >= trial.limit)
     return;
   const auto routes = std::span(trial.routes).first(edges.size());
   trial.is_found = std::ranges::all_of(routes, [](const Route& route) { return bool{route}; });

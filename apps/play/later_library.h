@@ -1,6 +1,6 @@
 #pragma once
 // What the core uses of C++20's library and libc++ 13, emscripten's, lacks: algorithms over ranges,
-// numbers with a point from characters, std::atomic_ref; here for one thread. Every source of the
+// numbers with a point from characters, bit_cast, atomic_ref; here for one thread. Every source of the
 // page is compiled with this header in front (CMakeLists.txt); no other is.
 
 #include <version>
@@ -45,12 +45,11 @@ AR3D_COMPARING(sort)
 AR3D_COMPARING(stable_sort)
 AR3D_COMPARING(is_sorted)
 AR3D_COMPARING(min_element)
-AR3D_COMPARING(max_element)
 #undef AR3D_COMPARING
 
 template <class Range>
 auto max(Range&& range) {
-  return *max_element(range);
+  return *std::max_element(std::begin(range), std::end(range));
 }
 
 #define AR3D_ASKING(name)                                                                         \
@@ -106,6 +105,11 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   return {first + (end - text.c_str()), end == text.c_str() ? errc::invalid_argument : errc()};
 }
 
+template <class To, class From>
+constexpr To bit_cast(const From& from) {
+  return __builtin_bit_cast(To, from);
+}
+
 template <class T>
 class atomic_ref {
  public:
@@ -113,8 +117,7 @@ class atomic_ref {
   T load(memory_order) const { return *value_; }
   void store(T value, memory_order) const { *value_ = value; }
   void fetch_or(T by, memory_order) const { *value_ |= by; }
-  bool compare_exchange_weak(const T&, T value,
-                             memory_order) const {  // one thread alone changes it
+  bool compare_exchange_weak(const T&, T value, memory_order) const {
     *value_ = value;
     return true;
   }

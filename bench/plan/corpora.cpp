@@ -193,7 +193,7 @@ class CorpusReader {
     return collected_files(record, entry, study_);
   }
 
-  // Rows differ by the graphs' hash and, for people, by the name: one must give the other.
+  // Rows are known by the graphs' hash and, for people, by the name: one must give the other.
   // A sample is no part of it, so that a larger one has the rows of the smaller.
   void require_one_of_a_kind(const GraphFileRecord& record, const GraphsEntry& entry) {
     const auto refuse = [&](const std::string& problem) {

@@ -80,7 +80,6 @@ class PlaneFamily {
  private:
   /// The numbers of a record, modulo 2^32.
   using Numbers __attribute__((vector_size(16))) = std::uint32_t;
-  static_assert(sizeof(Numbers) == sizeof(PlaneRecord));
 
   Vector normal_;
   std::array<Vector, 2> across_;  ///< [side] is constant along that side's direction
